@@ -233,4 +233,74 @@ def same_names(folder):
     assert numpy.all([a['range'] == [0, 7] for a in found['arrays']])
 
 
-CASES = [damaged_codes, damaged_netcdf, damaged_cgns, damaged_zarr, missing_parts, same_names]
+def fluent_pieces(folder):
+    """What a case or its data file lacks, or has twice, never goes without a word."""
+    need('meshio')
+    meshes.fluent(folder)
+    case, data = (folder / 'run.cas').read_text(), (folder / 'run.dat').read_text()
+    sound = told(folder / 'run.cas')
+    cells, nodes = sound['grid']['cells'], sound['grid']['points']
+
+    def try_case(case, data=data):
+        (folder / 'run.cas').write_text(case)
+        (folder / 'run.dat').write_text(data)
+        return folder / 'run.cas'
+
+    rows = case.split('\n')
+    first = next(i for i, row in enumerate(rows) if row.startswith('(10 (1 1')) + 1
+    half = nodes // 2
+    parts = [f'(10 (9 {a + 1:x} {b:x} 1 3)(\n' + '\n'.join(rows[first + a:first + b]).rstrip(')') + '))'
+             for a, b in ((half, nodes), (0, half))]
+    turned = '\n'.join(rows[:first - 1] + parts + rows[first + nodes:])
+    assert told(try_case(turned)) == sound  # zones of nodes in the other order
+    refused(try_case('\n'.join(rows[:first - 1] + parts[:1] + rows[first + nodes:])), 'zones of nodes')
+    refused(try_case(case[:case.index('(13 (4 ')]), 'faces')
+    refused(try_case(case.replace(f'(12 (2 1 {cells:x} ', f'(12 (2 1 {cells - 1:x} ')), 'zones have')
+    refused(try_case(case.replace('))\n(12', '\n1.5))\n(12')), 'longer than it announces')
+    refused(try_case(case, data.replace('))', '\n7))')), 'longer than it announces')
+    refused(try_case(case, data.replace(f' 0 0 1 {cells})', f' 0 0 2 {cells + 1})')), 'not in their zone')
+
+    few = f'(0 "values")\n(300 (3 2 1 0 0 1 2)(\n7 8))\n(300 (3 2 1 0 0 2 3)(\n5 6))\n'
+    path = try_case(case, few)
+    ranges = {a['name']: a['range'] for a in told(path)['arrays']}
+    assert ranges == {'TEMPERATURE': [7, 8], 'TEMPERATURE 2': [5, 6]}, ranges
+    line = conventions.noted(path)
+    assert 'several arrays of one name' in line and 'values of some cells alone' in line, line
+    assert 'holds no values at cells' in conventions.noted(try_case(case, '(0 "nothing")\n'))
+
+
+def gambit_groups(folder):
+    meshes.gambit(folder)
+    path = folder / 'mesh.neu'
+    text = path.read_text()
+    path.write_text(text.replace('         2         0         3         3', '         1         0         3         3'))
+    refused(path, 'more groups than it announces')
+    head, groups = text[:text.index('       ELEMENT GROUP')], text.split('       ELEMENT GROUP')[1:]
+    last = groups[0].split('\n')[-3]  # the last element of the first group
+    rows = groups[1].split('\n')
+    rows[4] = last
+    path.write_text('       ELEMENT GROUP'.join([head, groups[0], '\n'.join(rows)]))
+    assert '1 of its elements are in several groups' in conventions.noted(path), conventions.noted(path)
+
+
+def mfix_times(folder):
+    """Of a run that was started again a time is there twice, and the later one counts; others are told."""
+    numpy = need('numpy')
+    ones = numpy.ones((5, 5, 5))
+    flags = numpy.full(ones.shape, 100)
+    flags[1:-1, 1:-1, 1:-1] = 1
+    path = folder / 'BED.RES'
+    steps = [(0.0, [ones]), (1.0, [2 * ones]), (0.5, [3 * ones]), (1.0, [4 * ones]), (2.0, [5 * ones])]
+    codes.write_mfix(numpy, path, ones.shape, [numpy.full(5, 1.0)] * 3, 'CARTESIAN', flags,
+                     {'.SP1': steps, '.SP6': [(1.5, [6 * ones, ones, ones])]})
+    found = told(path)
+    assert found['times'] == [0, 0.5, 1, 1.5, 2] and found.get('time_units', 's') == 's', found
+    for time, gas in (('0', 1), ('0.5', 3), ('1', 4), ('#4', 5)):
+        ranges = {a['name']: a['range'][0] for a in told(path, '--time', time)['arrays']}
+        assert ranges['EP_g'] == gas and ranges['T_g'] == 6, (time, ranges)
+    assert 'T_g of 1.5' in conventions.noted(path)
+    (folder / 'BED.SP6').write_bytes(b'\0' * 1024 + numpy.array([4, 4], '>i4').tobytes().ljust(512, b'\0'))
+    assert 'no time was written to its .SP6' in conventions.noted(path), conventions.noted(path)
+
+
+CASES = [fluent_pieces, gambit_groups, mfix_times, damaged_codes, damaged_netcdf, damaged_cgns, damaged_zarr, missing_parts, same_names]

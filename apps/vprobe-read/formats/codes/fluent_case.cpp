@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <unordered_map>
 
 namespace
@@ -45,6 +46,27 @@ double fluentReal(const FluentSection& section, TextCursor& at)
 	return !section.is_binary ? at.real() : section.number >= 3000 ? at.binary<double>() : at.binary<float>();
 }
 
+struct FluentRange
+{
+	std::int64_t first; // from 1
+	std::int64_t last;
+};
+
+// The zones of a kind hold each of its numbers once: what one zone lacks would be missing without a word.
+void refuseGaps(std::vector<FluentRange> zones, std::optional<std::int64_t> announced, const char* kind)
+{
+	std::ranges::sort(zones, {}, &FluentRange::first);
+	std::int64_t next = 1;
+	for (const FluentRange& zone : zones)
+	{
+		if (zone.first != next)
+			throw damaged(fmt::format("its zones of {} do not go on from {} to {}", kind, next - 1, zone.first));
+		next = zone.last + 1;
+	}
+	if (next - 1 != announced.value_or(next - 1))
+		throw damaged(fmt::format("its zones have {} of {} {}", next - 1, *announced, kind));
+}
+
 class FluentCaseParser
 {
 public:
@@ -64,6 +86,8 @@ private:
 	FluentSections sections_;
 	FluentCase case_;
 	std::int64_t nodes_ = 0;
+	std::optional<std::int64_t> faces_; // some programs do not announce them
+	std::vector<FluentRange> node_zones_, cell_zones_, face_zones_;
 	std::unordered_map<std::int64_t, std::string> names_;
 };
 
@@ -75,19 +99,21 @@ void FluentCaseParser::readNodes(const FluentSection& section)
 		nodes_ = head[2];
 		return;
 	}
+	if (head[2] < std::max<std::int64_t>(head[1], 1))
+		return; // of none
 	if (section.body == 0)
 		throw damaged("a zone of nodes without their places");
 	TextCursor at = sections_.bodyOf(section);
 	const std::size_t width = !section.is_binary ? 2 : section.number >= 3000 ? 8 : 4;
 	const std::size_t count = at.checkedCount(head[2] - head[1] + 1, 3 * width - 1);
-	if (head[1] < 1 || (nodes_ > 0 && head[2] > nodes_))
+	if (head[1] < 1 || head[2] > nodes_)
 		throw damaged("a zone of nodes is not among the nodes");
+	node_zones_.push_back({head[1], head[2]});
+	if (const std::size_t all = 3 * sections_.checkedCount(nodes_, 3 * 2 - 1); case_.coordinates.size() < all)
+		case_.coordinates.resize(all);
 	const auto first = 3 * static_cast<std::size_t>(head[1] - 1);
-	if (first != case_.coordinates.size())
-		throw damaged("its zones of nodes do not follow each other");
-	case_.coordinates.reserve(first + 3 * count);
 	for (std::size_t i = 0; i < 3 * count; ++i)
-		case_.coordinates.push_back(fluentReal(section, at));
+		case_.coordinates[first + i] = fluentReal(section, at);
 	sections_.endBody(section, at);
 }
 
@@ -98,8 +124,12 @@ void FluentCaseParser::readCells(const FluentSection& section)
 		case_.cells = head[2];
 	else if (head[1] < 1 || head[2] < head[1])
 		throw damaged("a zone of cells that cannot be");
-	else if (head[3] != 0 && head[3] != kInactiveCells)
-		case_.zones.push_back({head[0], "", head[1] - 1, head[2] - 1});
+	else
+	{
+		cell_zones_.push_back({head[1], head[2]});
+		if (head[3] != 0 && head[3] != kInactiveCells)
+			case_.zones.push_back({head[0], "", head[1] - 1, head[2] - 1});
+	}
 	sections_.skip(section); // kinds of elements: the faces tell them too
 }
 
@@ -132,8 +162,16 @@ void FluentCaseParser::readFace(const FluentSection& section, TextCursor& at, st
 void FluentCaseParser::readFaces(const FluentSection& section)
 {
 	const auto head = fluentHead(section); // zone, first, last, type, kind of face
-	if (head[0] == 0 || section.body == 0)
+	if (head[0] == 0)
+	{
+		faces_ = head[2];
 		return;
+	}
+	if (head[2] < std::max<std::int64_t>(head[1], 1))
+		return; // of none
+	if (section.body == 0)
+		throw damaged("a zone of faces without their corners");
+	face_zones_.push_back({head[1], head[2]});
 	if (head[3] == kParentFaces)
 	{
 		sections_.skip(section);
@@ -180,11 +218,9 @@ void FluentCaseParser::read(const FluentSection& section)
 
 void FluentCaseParser::check() const
 {
-	if (case_.coordinates.empty() || case_.coordinates.size() != 3 * static_cast<std::size_t>(nodes_))
-		throw damaged(fmt::format("{} of {} nodes have a place", case_.coordinates.size() / 3, nodes_));
-	for (const FluentZone& zone : case_.zones)
-		if (zone.last >= case_.cells)
-			throw damaged("a zone of cells is not among the cells");
+	refuseGaps(node_zones_, nodes_, "nodes");
+	refuseGaps(cell_zones_, case_.cells, "cells");
+	refuseGaps(face_zones_, faces_, "faces");
 	if (case_.sides.empty())
 		throw damaged("it has no faces");
 }

@@ -111,11 +111,11 @@ std::size_t FluentSections::endOfBinary(std::size_t from) const
 	return end;
 }
 
-void FluentSections::endBody(const FluentSection& section, const TextCursor& body)
+void FluentSections::endBody(const FluentSection& section, TextCursor& body)
 {
-	// Between both are a line end and a parenthesis.
+	// Between the bytes and the mark of their end are a line end and a parenthesis.
 	constexpr std::size_t kMaxBetween = 8;
-	if (section.is_binary && endOfBinary(body.place()) - body.place() > kMaxBetween)
+	if (section.is_binary ? endOfBinary(body.place()) - body.place() > kMaxBetween : !body.atEnd())
 		throw damaged(fmt::format("section {} is longer than it announces", section.number));
 	skip(section);
 }

@@ -30,9 +30,14 @@ public:
 	bool next(FluentSection& section);
 	// A reader that stands at the body of the section, with the order of bytes that the file told so far.
 	TextCursor bodyOf(const FluentSection& section) const;
-	// Goes on behind a section whose body was read, or skipped. A binary one must end where its reading did.
-	void endBody(const FluentSection& section, const TextCursor& body);
+	// Goes on behind a section whose body was read. It must end where its reading did.
+	void endBody(const FluentSection& section, TextCursor& body);
 	void skip(const FluentSection& section);
+	// As of a TextCursor at the start of the file.
+	std::size_t checkedCount(std::int64_t number, std::size_t least_bytes) const
+	{
+		return TextCursor(text_).checkedCount(number, least_bytes);
+	}
 
 private:
 	std::size_t endOfList(std::size_t start) const;

@@ -80,20 +80,31 @@ MfixValues::MfixValues(const std::string& path, std::size_t parts, std::vector<M
 	{
 		const std::string_view record = MfixRecords(file_.text(), 3 + t * static_cast<std::size_t>(of_time)).record();
 		times_.push_back(MfixRecords::numberAt<float>(record, 0));
-		if (!std::isfinite(times_.back()) || (t > 0 && times_[t] < times_[t - 1]))
-			throw damaged(fmt::format("{} has times that do not go on", path));
+		if (!std::isfinite(times_.back()))
+			throw damaged(fmt::format("{} has a time that is no number", path));
 	}
 }
 
-std::vector<float> MfixValues::values(std::size_t part, double time) const
+std::size_t MfixValues::stepAt(double time) const
 {
-	const auto after = std::upper_bound(times_.begin(), times_.end(), time);
-	const std::size_t step = after == times_.begin() ? 0 : static_cast<std::size_t>(after - times_.begin()) - 1;
+	std::size_t best = 0;
+	for (std::size_t step = 1; step < times_.size(); ++step)
+	{
+		const bool is_after = times_[step] > time;
+		if (times_[best] > time ? !is_after || times_[step] <= times_[best] : !is_after && times_[step] >= times_[best])
+			best = step;
+	}
+	return best;
+}
+
+std::vector<float> MfixValues::values(std::size_t part, std::size_t step) const
+{
 	const std::size_t at = 3 + step * (parts_ * records_ + 1) + 1 + part * records_;
 	return MfixRecords(file_.text(), at).numbers<float>(cells_);
 }
 
-std::deque<MfixValues> mfixValuesBeside(const std::string& restart, const MfixRestart& mesh)
+std::deque<MfixValues> mfixValuesBeside(const std::string& restart, const MfixRestart& mesh,
+                                        std::vector<std::string>& empty)
 {
 	std::deque<MfixValues> values;
 	std::vector<MfixFile> files = mfixFiles(mesh);
@@ -106,7 +117,10 @@ std::deque<MfixValues> mfixValuesBeside(const std::string& restart, const MfixRe
 			continue;
 		values.emplace_back(path.string(), files[f].parts, std::move(files[f].variables), mesh);
 		if (values.back().times().empty())
+		{
 			values.pop_back();
+			empty.push_back(path.extension().string());
+		}
 	}
 	return values;
 }

@@ -24,8 +24,11 @@ public:
 
 	const std::vector<MfixVariable>& variables() const { return variables_; }
 	const std::vector<double>& times() const { return times_; }
-	// Of all cells, with the ghosts: at the last of its times that is not after `time`, or the first.
-	std::vector<float> values(std::size_t part, double time) const;
+	// The last step of the greatest time that is not after `time`, or else of the least time: a run that was started
+	// again may have written a time twice, or gone back.
+	std::size_t stepAt(double time) const;
+	// Of all cells, with the ghosts.
+	std::vector<float> values(std::size_t part, std::size_t step) const;
 
 private:
 	MappedText file_;
@@ -36,5 +39,6 @@ private:
 	std::vector<double> times_;
 };
 
-// The files that lie beside a restart file.
-std::deque<MfixValues> mfixValuesBeside(const std::string& restart, const MfixRestart& mesh);
+// The files that lie beside a restart file. `empty`: the endings of those that hold no time.
+std::deque<MfixValues> mfixValuesBeside(const std::string& restart, const MfixRestart& mesh,
+                                        std::vector<std::string>& empty);

@@ -18,20 +18,69 @@
 #include <filesystem>
 #include <limits>
 #include <map>
-#include <optional>
+#include <numeric>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace
 {
 
-// Values at cells, by the number of their name. NaN where the file says nothing.
-using FluentValues = std::map<std::int64_t, vtkSmartPointer<vtkDoubleArray>>;
+// An array of a zone. NaN where the file says nothing.
+struct FluentArray
+{
+	vtkSmartPointer<vtkDoubleArray> values;
+	std::vector<std::pair<vtkIdType, vtkIdType>> parts; // of the zone's cells, first and past last
+
+	bool meets(const std::pair<vtkIdType, vtkIdType>& part) const
+	{
+		return std::ranges::any_of(parts,
+		                           [&](const auto& p) { return part.first < p.second && p.first < part.second; });
+	}
+	vtkIdType filled() const
+	{
+		return std::accumulate(parts.begin(), parts.end(), vtkIdType(0),
+		                       [](vtkIdType sum, const auto& part) { return sum + part.second - part.first; });
+	}
+};
+
+// By the number of their name. Several of one name are those of phases, or of steps.
+using FluentValues = std::map<std::int64_t, std::vector<FluentArray>>;
 
 const FluentZone* fluentZoneOf(const FluentCase& mesh, std::int64_t id, std::int64_t first, std::int64_t last)
 {
+	bool is_there = false;
 	for (const FluentZone& zone : mesh.zones)
+	{
 		if (zone.id == id && zone.first <= first && last <= zone.last)
 			return &zone;
-	return nullptr;
+		is_there = is_there || zone.id == id;
+	}
+	if (is_there)
+		throw damaged(fmt::format("values of the cells {} to {}, which are not in their zone", first + 1, last + 1));
+	return nullptr; // of faces, or of cells that were refined
+}
+
+// The array that has no values of these cells yet.
+FluentArray& fluentArrayFor(std::vector<FluentArray>& all, std::int64_t number, int components, const FluentZone& zone,
+                            const std::pair<vtkIdType, vtkIdType>& part)
+{
+	const auto open = std::ranges::find_if(all, [&](const FluentArray& array) { return !array.meets(part); });
+	if (open != all.end())
+	{
+		if (open->values->GetNumberOfComponents() != components)
+			throw damaged("values whose number of components changes");
+		return *open;
+	}
+	FluentArray& array = all.emplace_back();
+	array.values = vtkSmartPointer<vtkDoubleArray>::New();
+	array.values->SetName(
+	    (fluentName(number) + (all.size() > 1 ? fmt::format(" {}", all.size()) : std::string())).c_str());
+	array.values->SetNumberOfComponents(components);
+	array.values->SetNumberOfTuples(zone.last - zone.first + 1);
+	array.values->Fill(std::numeric_limits<double>::quiet_NaN());
+	return array;
 }
 
 // "(300 (NAME ZONE SIZE TIMES PHASES FIRST LAST) (VALUES))", with decimal numbers.
@@ -41,30 +90,22 @@ void readFluentValues(const FluentSection& section, FluentSections& sections, co
 	const std::vector<std::int64_t> head = section.numbers(10);
 	if (head.size() < 7)
 		throw damaged("values without a place");
-	const FluentZone* zone = fluentZoneOf(mesh, head[1], head[5] - 1, head[6] - 1);
-	if (!zone || head[5] > head[6]) // of faces, or of another mesh
+	const FluentZone* zone = head[5] > head[6] ? nullptr : fluentZoneOf(mesh, head[1], head[5] - 1, head[6] - 1);
+	if (!zone)
 		return sections.skip(section);
 	if (section.body == 0 || head[2] < 1 || head[2] > 64)
 		throw damaged(fmt::format("values of {} components", head[2]));
 	TextCursor at = sections.bodyOf(section);
 	const std::size_t width = !section.is_binary ? 2 : section.number >= 3000 ? 8 : 4;
 	const std::size_t count = at.checkedCount((head[6] - head[5] + 1) * head[2], width);
-	vtkSmartPointer<vtkDoubleArray>& values = of_zones[zone->id][head[0]];
-	if (!values)
-	{
-		values = vtkSmartPointer<vtkDoubleArray>::New();
-		values->SetName(fluentName(head[0]).c_str());
-		values->SetNumberOfComponents(static_cast<int>(head[2]));
-		values->SetNumberOfTuples(zone->last - zone->first + 1);
-		values->Fill(std::numeric_limits<double>::quiet_NaN());
-	}
-	if (values->GetNumberOfComponents() != head[2])
-		throw damaged("values whose number of components changes");
-	const vtkIdType first = (head[5] - 1 - zone->first) * head[2];
+	const std::pair<vtkIdType, vtkIdType> part(head[5] - 1 - zone->first, head[6] - zone->first);
+	FluentArray& array = fluentArrayFor(of_zones[zone->id][head[0]], head[0], static_cast<int>(head[2]), *zone, part);
+	array.parts.push_back(part);
+	const vtkIdType first = part.first * head[2];
 	for (std::size_t i = 0; i < count; ++i)
-		values->SetValue(first + static_cast<vtkIdType>(i), !section.is_binary       ? at.real()
-		                                                    : section.number >= 3000 ? at.binary<double>()
-		                                                                             : at.binary<float>());
+		array.values->SetValue(first + static_cast<vtkIdType>(i), !section.is_binary       ? at.real()
+		                                                          : section.number >= 3000 ? at.binary<double>()
+		                                                                                   : at.binary<float>());
 	sections.endBody(section, at);
 }
 
@@ -87,6 +128,30 @@ std::map<std::int64_t, FluentValues> parseFluentData(const std::string& file, co
 		else
 			sections.skip(section);
 	return of_zones;
+}
+
+// Tells what the arrays lack, and which names occur several times.
+void noteFluentValues(const std::map<std::int64_t, FluentValues>& of_zones, const std::string& data,
+                      ManifestWriter& manifest)
+{
+	if (of_zones.empty())
+		manifest.warn(fmt::format("{} holds no values at cells", std::filesystem::path(data).filename().string()));
+	std::set<std::string> partial, repeated;
+	for (const auto& [zone, values] : of_zones)
+		for (const auto& [number, arrays] : values)
+			for (const FluentArray& array : arrays)
+			{
+				if (array.filled() < array.values->GetNumberOfTuples())
+					partial.insert(array.values->GetName());
+				if (&array != &arrays.front())
+					repeated.insert(array.values->GetName());
+			}
+	if (!partial.empty())
+		manifest.warn(fmt::format("the data file has values of some cells alone, the others are NaN: {}",
+		                          fmt::join(partial, ", ")));
+	if (!repeated.empty())
+		manifest.warn(fmt::format("the data file has several arrays of one name; the later ones are called {}",
+		                          fmt::join(repeated, ", ")));
 }
 
 // run.cas has run.dat beside it, or run.dat.gz; so has run.cas.gz. Empty where there is none.
@@ -115,12 +180,16 @@ void readFluent(const Request& request, ManifestWriter& manifest)
 	if (data.empty())
 		manifest.warn("no data file (.dat) lies beside this Fluent case; --solution names one");
 	else
+	{
 		values = parseFluentData(data, mesh);
+		noteFluentValues(values, data, manifest);
+	}
 	for (const FluentZone& zone : mesh.zones)
 	{
 		const auto grid = fluentGrid(mesh, zone);
-		for (const auto& [name, array] : values[zone.id])
-			grid->GetCellData()->AddArray(array);
+		for (const auto& [number, arrays] : values[zone.id])
+			for (const FluentArray& array : arrays)
+				grid->GetCellData()->AddArray(array.values);
 		manifest.setPrefix(zone.name);
 		manifest.add(grid);
 	}

@@ -114,11 +114,11 @@ vtkSmartPointer<vtkDataSet> mfixSectors(const MfixRestart& mesh)
 
 // A variable at the cells of the grid. Vectors about the axis are turned to x, y, z.
 vtkSmartPointer<vtkFloatArray> mfixArray(const MfixRestart& mesh, const MfixValues& file, const MfixVariable& variable,
-                                         double time)
+                                         std::size_t step)
 {
 	std::vector<std::vector<float>> parts;
 	for (const std::size_t part : variable.parts)
-		parts.push_back(file.values(part, time));
+		parts.push_back(file.values(part, step));
 	auto array = vtkSmartPointer<vtkFloatArray>::New();
 	array->SetName(variable.name.c_str());
 	array->SetNumberOfComponents(static_cast<int>(parts.size()));
@@ -149,19 +149,34 @@ void readMfix(const Request& request, ManifestWriter& manifest)
 {
 	const MappedText text(request.file);
 	const MfixRestart mesh = parseMfixRestart(text.text());
-	const std::deque<MfixValues> files = mfixValuesBeside(request.file, mesh);
+	std::vector<std::string> empty;
+	const std::deque<MfixValues> files = mfixValuesBeside(request.file, mesh, empty);
 	if (files.empty())
 		manifest.warn("no files of values (.SP1 and so on) lie beside this case");
+	if (!empty.empty())
+		manifest.warn(fmt::format("no time was written to its {}", fmt::join(empty, ", ")));
 	std::vector<double> times;
 	for (const MfixValues& file : files)
 		times.insert(times.end(), file.times().begin(), file.times().end());
 	times = inOrder(std::move(times));
-	const std::optional<double> time = chooseIfAny(times, request);
+	const double time = chooseIfAny(times, request).value_or(0.0);
 	const auto grid = mesh.is_cylindrical ? mfixSectors(mesh) : mfixBoxes(mesh);
+	std::vector<std::string> of_other_times;
 	for (const MfixValues& file : files)
+	{
+		const std::size_t step = file.stepAt(time);
 		for (const MfixVariable& variable : file.variables())
-			grid->GetCellData()->AddArray(mfixArray(mesh, file, variable, time.value_or(0.0)));
+		{
+			grid->GetCellData()->AddArray(mfixArray(mesh, file, variable, step));
+			if (file.times()[step] != time)
+				of_other_times.push_back(fmt::format("{} of {:g}", variable.name, file.times()[step]));
+		}
+	}
+	if (!of_other_times.empty())
+		manifest.warn(fmt::format("not every variable was written at the time {:g}; shown are {}", time,
+		                          fmt::join(of_other_times, ", ")));
 	manifest.setLengthUnits(mesh.length_units);
+	manifest.setTimeUnits("s");
 	manifest.offerTimes(std::move(times));
 	manifest.add(grid);
 }

@@ -17,7 +17,9 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <unordered_map>
+#include <vector>
 
 namespace
 {
@@ -159,26 +161,52 @@ std::int64_t gambitNumber(TextCursor& at, std::string_view word)
 	return at.integer();
 }
 
-void readGambitGroup(TextCursor& at, const GambitIds& elements, vtkIntArray* material, vtkIntArray* group)
+int gambitSmallNumber(TextCursor& at, std::string_view word)
+{
+	const std::int64_t number = gambitNumber(at, word);
+	if (number < 0 || number > std::numeric_limits<int>::max())
+		throw damaged(fmt::format("a group with {} {}", word, number));
+	return static_cast<int>(number);
+}
+
+// Returns how many of its elements are in an earlier group too.
+std::size_t readGambitGroup(TextCursor& at, const GambitIds& elements, std::vector<bool>& seen, vtkIntArray* material,
+                            vtkIntArray* group)
 {
 	startGambitSection(at, "ELEMENT GROUP");
-	const auto number = static_cast<int>(gambitNumber(at, "GROUP:"));
+	const int number = gambitSmallNumber(at, "GROUP:");
 	const std::size_t count = at.checkedCount(gambitNumber(at, "ELEMENTS:"), 2);
-	const auto kind = static_cast<int>(gambitNumber(at, "MATERIAL:"));
+	const int kind = gambitSmallNumber(at, "MATERIAL:");
 	const std::size_t flags = at.checkedCount(gambitNumber(at, "NFLAGS:"), 2);
 	at.line();
 	at.line(); // its name
 	for (std::size_t f = 0; f < flags; ++f)
 		at.integer();
+	std::size_t repeated = 0;
 	for (std::size_t e = 0; e < count; ++e)
 	{
 		const auto found = elements.find(at.integer());
 		if (found == elements.end())
 			throw damaged("a group has an element that is not there");
+		if (seen[static_cast<std::size_t>(found->second)])
+		{
+			++repeated;
+			continue;
+		}
+		seen[static_cast<std::size_t>(found->second)] = true;
 		material->SetValue(found->second, kind);
 		group->SetValue(found->second, number);
 	}
 	endGambitSection(at);
+	return repeated;
+}
+
+// What follows are boundary conditions alone: sections that are not announced would be missing without a word.
+void refuseMoreGroups(TextCursor& at)
+{
+	while (!at.atEnd())
+		if (at.line().starts_with("ELEMENT GROUP"))
+			throw damaged("it has more groups than it announces");
 }
 
 } // namespace
@@ -205,7 +233,12 @@ void readGambit(const Request& request, ManifestWriter& manifest)
 		grid->GetCellData()->AddArray(array);
 	}
 	const auto array = [&](int index) { return vtkIntArray::SafeDownCast(grid->GetCellData()->GetArray(index)); };
+	std::vector<bool> seen(counts.elements);
+	std::size_t repeated = 0;
 	for (std::size_t g = 0; g < counts.groups; ++g)
-		readGambitGroup(at, elements, array(0), array(1));
+		repeated += readGambitGroup(at, elements, seen, array(0), array(1));
+	refuseMoreGroups(at);
+	if (repeated > 0)
+		manifest.warn(fmt::format("{} of its elements are in several groups; the first one is shown", repeated));
 	manifest.add(grid);
 }
