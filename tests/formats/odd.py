@@ -77,7 +77,7 @@ def counts_that_lie(folder):
     """Lists and counts in a head that ask for more than there can be."""
     def refused_as_damaged(name, text, *words):
         (folder / name).write_text(text)
-        done = subprocess.run([VPROBE, 'info', folder / name], capture_output=True, text=True, timeout=10)
+        done = subprocess.run([VPROBE, 'info', folder / name], capture_output=True, text=True, timeout=120)
         assert done.returncode == 2 and done.stderr.count('\n') == 1, done
         for word in words:
             assert word in done.stderr, (word, done.stderr)
