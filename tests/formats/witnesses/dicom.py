@@ -529,6 +529,8 @@ def by_hand(folder):
     heart = write_enhanced(one('heart'), [1, 1, 5, 5], [
         frame(z, CardiacSynchronizationSequence={'NominalCardiacTriggerDelayTime': float(t)})
         for t in (0, 250) for z in (0, 2)])
+    about = json.loads(subprocess.run([VPROBE, 'info', heart, '--json'], capture_output=True, text=True).stdout)
+    assert about['times'] == [0, 0.25] and about['time_units'] == 's', about
     assert figures(heart, '--time', '0.05')[:2] == (6, 1) and figures(heart, '--time', '0.25')[:2] == (6, 5)
     echoes = write_enhanced(one('echoes'), [1, 5, 1, 5], [frame(z, MREchoSequence={'EffectiveEchoTime': float(echo)})
                                                           for z in (0, 2) for echo in (10, 20)])
@@ -567,6 +569,21 @@ def damaged_packing(folder):
     read.save_as(path)
     code, line = figures(path)[:2]
     assert code == 2 and 'do not unpack' in line, (code, line)
+    if not shutil.which('gdcmconv'):
+        return
+    s.syntax, s.rows, s.columns = ExplicitVRLittleEndian, 8, 8  # gdcmconv crashes at smaller ones
+    data.Rows = data.Columns = 8
+    s.save(data, numpy.arange(128, dtype='u2').reshape(2, 8, 8) * 99, path)
+    subprocess.run(['gdcmconv', '--j2k', path, path], check=True, capture_output=True)
+    assert figures(path)[0] == 7, figures(path)
+    read = pydicom.dcmread(path)
+    frames = list(pydicom.encaps.generate_pixel_data_frame(read.PixelData, 2))
+    short, other = frames[1][:-20], frames[1].replace((8).to_bytes(4, 'big'), (9).to_bytes(4, 'big'), 1)
+    for damaged in (short, short + b'\xff\xd9', other):  # cut, its end in the middle, another size
+        read.PixelData = pydicom.encaps.encapsulate([frames[0], damaged])
+        read.save_as(path)
+        code, line = figures(path)[:2]
+        assert code == 2 and 'do not unpack' in line, (code, line)
 
 
 def main():

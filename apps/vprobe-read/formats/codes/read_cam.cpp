@@ -225,7 +225,10 @@ void readCam(const Request& request, ManifestWriter& manifest)
 	std::vector<double> times(file.length("time"));
 	std::iota(times.begin(), times.end(), 0.0);
 	if (const int variable = file.variable("time"); variable >= 0 && file.dimensions(variable).size() == 1)
+	{
 		times = cfNumbers(file, variable);
+		manifest.setTimeUnits(file.text(variable, "units"));
+	}
 	const std::optional<std::size_t> step = offerSteps(times, request, manifest);
 	const CamLayer layer = camLayer(file, quads);
 	if (layer.around_a_pole > 0)

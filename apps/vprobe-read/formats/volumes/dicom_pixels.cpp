@@ -1,6 +1,7 @@
 #include "dicom_pixels.h"
 
 #include "dicom_item.h"
+#include "jpeg2000_parts.h"
 #include "vprobe-read/base/mapped_text.h"
 #include "vprobe-read/base/printed_text.h"
 #include "vprobe-read/base/refusal.h"
@@ -203,18 +204,27 @@ void DicomPixels::findFragments()
 		throw damaged(fmt::format("{} has {} packed pieces that do not make {} frames", name_, count, frames));
 }
 
-// Whether a frame of JPEG ends with its mark. Without it GDCM may search forever.
-bool DicomPixels::hasEnd(std::size_t index) const
+std::string DicomPixels::packedBytes(std::size_t index) const
+{
+	std::string all;
+	for (std::size_t i = of_frame_[index].first; i < of_frame_[index].second; ++i)
+		if (const gdcm::ByteValue* bytes = packed_->GetFragment(i).GetByteValue())
+			all.append(bytes->GetPointer(), bytes->GetLength());
+	return all;
+}
+
+// What GDCM makes up without a word where it is missing. Without the mark of the end it may search in JPEG forever.
+bool DicomPixels::isWhole(std::size_t index) const
 {
 	constexpr std::size_t kMostBehind = 64; // bytes that some writers add
 	const gdcm::TransferSyntax syntax = syntaxOf(reader_);
+	if (syntax == gdcm::TransferSyntax::JPEG2000Lossless || syntax == gdcm::TransferSyntax::JPEG2000)
+		return isWholeJpeg2000(packedBytes(index), form_.columns, form_.rows, form_.samples);
 	if (syntax < gdcm::TransferSyntax::JPEGBaselineProcess1 || syntax > gdcm::TransferSyntax::JPEGLSNearLossless)
 		return true;
-	const gdcm::ByteValue* bytes = packed_->GetFragment(of_frame_[index].second - 1).GetByteValue();
-	const std::string_view text =
-	    bytes ? std::string_view(bytes->GetPointer(), bytes->GetLength()) : std::string_view();
-	const auto mark = text.rfind("\xFF\xD9");
-	return mark != text.npos && text.size() - mark <= kMostBehind;
+	const std::string bytes = packedBytes(index);
+	const auto mark = bytes.rfind("\xFF\xD9");
+	return mark != bytes.npos && bytes.size() - mark <= kMostBehind;
 }
 
 std::string DicomPixels::unpacked(std::size_t index) const
@@ -240,7 +250,7 @@ std::string DicomPixels::unpacked(std::size_t index) const
 	image.SetDataElement(element);
 	std::string bytes(form_.valuesOfFrame() * (form_.allocated / 8), '\0');
 	const PrintedText printed; // libjpeg fills up what is missing, and only says so
-	if (!hasEnd(index) || image.GetBufferLength() != bytes.size() || !image.GetBuffer(bytes.data()) ||
+	if (!isWhole(index) || image.GetBufferLength() != bytes.size() || !image.GetBuffer(bytes.data()) ||
 	    printed.text().find("Corrupt JPEG data") != std::string::npos ||
 	    printed.text().find("Premature end of JPEG") != std::string::npos)
 		throw damaged(fmt::format("the pixels of {} do not unpack", name_));

@@ -33,7 +33,8 @@ public:
 private:
 	void findPixels();
 	void findFragments();
-	bool hasEnd(std::size_t index) const;
+	std::string packedBytes(std::size_t index) const;
+	bool isWhole(std::size_t index) const;
 	std::string unpacked(std::size_t index) const;
 	std::vector<double> storedValues(std::size_t index) const;
 

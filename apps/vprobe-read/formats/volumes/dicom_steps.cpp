@@ -9,6 +9,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <numeric>
 #include <set>
 
 namespace
@@ -167,17 +168,16 @@ bool splitByNumber(const std::vector<std::size_t>& places, Grouping& grouping)
 	return was_split;
 }
 
-std::vector<double> timesOf(const Frames& frames, const Grouping& grouping, bool by_number)
+void setTimes(const Frames& frames, const Grouping& grouping, bool by_number, DicomSteps& steps)
 {
-	std::vector<double> times(grouping.count);
-	for (std::size_t i = 0; i < times.size(); ++i)
-		times[i] = static_cast<double>(i);
+	steps.times.resize(grouping.count);
+	std::iota(steps.times.begin(), steps.times.end(), 0.0);
 	const DicomKey* key = grouping.key_ids.size() == 1 ? &frames[0].keys[grouping.key_ids[0]] : nullptr;
-	if (by_number || !key || key->seconds == 0.0)
-		return times;
+	steps.are_seconds = !by_number && key && key->seconds != 0.0;
+	if (!steps.are_seconds)
+		return;
 	for (std::size_t f = 0; f < frames.size(); ++f)
-		times[grouping.group[f]] = frames[f].keys[grouping.key_ids[0]].number * key->seconds;
-	return times;
+		steps.times[grouping.group[f]] = frames[f].keys[grouping.key_ids[0]].number * key->seconds;
 }
 
 void noteKeys(const Grouping& grouping, DicomFrames& all)
@@ -233,7 +233,7 @@ DicomSteps stepsOf(DicomFrames& all)
 		steps.steps[grouping.group[f]].push_back(frames[f]);
 	if (grouping.count > 1)
 	{
-		steps.times = timesOf(frames, grouping, by_number);
+		setTimes(frames, grouping, by_number, steps);
 		noteKeys(grouping, all);
 	}
 	return steps;

@@ -10,6 +10,7 @@ struct DicomSteps
 {
 	std::vector<std::vector<DicomFrame>> steps; // frames by depth
 	std::vector<double> times;                  // of each step, in s or numbered from 0; empty for a single step
+	bool are_seconds = false;
 };
 
 // Takes the largest stack if there are several, and tells so. Throws a Refusal for frames that are no stack of parallel

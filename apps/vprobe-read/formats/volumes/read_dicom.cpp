@@ -147,6 +147,8 @@ void readDicom(const Request& request, ManifestWriter& manifest)
 		manifest.warn(note);
 	if (all.has_units)
 		manifest.setLengthUnits("mm");
+	if (steps.are_seconds)
+		manifest.setTimeUnits("s");
 	manifest.addLone(grid);
 	manifest.offerTimes(std::move(steps.times));
 }

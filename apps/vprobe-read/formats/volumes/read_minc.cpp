@@ -122,6 +122,7 @@ void readMinc(const Request& request, ManifestWriter& manifest)
 			std::vector<double> times;
 			for (std::size_t i = 0; i < axis.count; ++i)
 				times.push_back(axis.start + axis.step * static_cast<double>(i));
+			manifest.setTimeUnits(axis.units);
 			at = mincStepOf(volume, a) * offerSteps(times, request, manifest).value_or(0);
 		}
 	const auto axis = std::ranges::find_if(volume.axes, isMincSpace);
