@@ -35,11 +35,12 @@ OPTIONS = (
     '--origin 9 9 9 --outside nearest --range 0 1',
     '--path revolve --probe paddlewheel --there-and-back',
     '--path spin --window 2 1 --background black --camera 30,20',
-    '--threads 1 --samples 1 --no-legend --title ""',
+    '--threads 1 --samples 4 --size 96x64 --no-legend --title ""',
     '--normal 0 0 0', '--array none', '--size 0x0', '--opacity 2', '--surface z=sin(x',
 )
-# Small pictures, and few frames.
-PICTURE = ['--size', '96x64']
+# Small pictures, and few frames. Drawing takes ten times as long as cutting, so of the grids each plan is drawn for some.
+PICTURE = ['--size', '96x64', '--samples', '1']
+DRAWN = 2
 SWEEP = ['--frames', '3']
 # Well-known data sets of every kind, and how they are cut. The name is a file's below VPROBE_DATA.
 DATA = (
@@ -60,6 +61,7 @@ WINDOW_PLANS = 9
 class Plan:
     source: str
     options: list
+    draws: bool
 
     def settings(self):
         """(key, value) of each option, as a face takes them; None where the command line alone has one."""
@@ -90,18 +92,20 @@ def options_of_document():
 
 @functools.cache
 def demo_plans():
-    return [Plan(source, shlex.split(options)) for options in [*options_of_document(), *OPTIONS] for source in DEMOS]
+    return [Plan(source, shlex.split(options), (demo - number) % len(DEMOS) < DRAWN)
+            for number, options in enumerate([*options_of_document(), *OPTIONS]) for demo, source in enumerate(DEMOS)]
 
 
 def command_lines(plan):
     """What a user may ask of a plan, and gets in files."""
     words = [plan.source, *plan.options]
-    picture = [] if '--size' in plan.options else PICTURE
-    # A plan that only draws is not asked for a second time.
-    return [Step(['vprobe', 'slice', *words, '--explain']),
-            Step(['vprobe', 'slice', *words, '-o', 'cut.vtp', '--stats', '-']),
-            Step(['vprobe', 'render', *words, *picture, '-o', 'cut.png', '--stats', 'render.json']),
-            Step(['vprobe', 'sweep', *words, *picture, *SWEEP, '-o', '{frame}.png', '--stats', 'sweep.json'])]
+    picture = [] if {'--size', '--samples'} & set(plan.options) else PICTURE
+    steps = [Step(['vprobe', 'slice', *words, '--explain']),
+             Step(['vprobe', 'slice', *words, '-o', 'cut.vtp', '--stats', '-'])]
+    if plan.draws:
+        steps += [Step(['vprobe', 'render', *words, *picture, '-o', 'cut.png', '--stats', 'render.json']),
+                  Step(['vprobe', 'sweep', *words, *picture, *SWEEP, '-o', '{frame}.png', '--stats', 'sweep.json'])]
+    return steps
 
 
 def plan_cases():
@@ -141,7 +145,7 @@ def data_cases():
         if name not in files:
             yield LeftOut('data', name, f'VPROBE_DATA has no {name}')
             continue
-        first, *others = command_lines(Plan(files[name], shlex.split(options)))
+        first, *others = command_lines(Plan(files[name], shlex.split(options), True))
         yield Case('data', [Step(['vprobe', 'info', files[name]]), Step(['vprobe', 'check', files[name]]), first, *others])
 
 
@@ -177,7 +181,8 @@ def asked_of_faces(source, classify):
         if asked != classify:
             continue
         lines.append(f'plan {shlex.join(plan.options)}')
-        lines += [f'set {key} {value}' for key, value in settings if key not in ('classify', 'size')] + ['ask']
+        lines += [f'set {key} {value}' for key, value in settings if key not in ('classify', 'size')]
+        lines += ['ask', 'draw'] if plan.draws else ['ask']
     return '\n'.join(lines).encode() + b'\n'
 
 

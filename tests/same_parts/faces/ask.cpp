@@ -1,6 +1,6 @@
 // Asks the library for plans, and prints and saves what it answers. ask.py does the same through the Python module.
 // usage: ask PLANS.txt INPUT cpu|gpu
-// A plan is a line `plan NAME`, lines `set KEY VALUE`, and a line `ask`.
+// A plan is a line `plan NAME`, lines `set KEY VALUE`, and a line `ask` or `draw` or both.
 #include <vprobe/vprobe.h>
 
 #include <cstdio>
@@ -123,32 +123,39 @@ void tellImage(const vprobe::Image& image)
 	tell("picture: %u x %u, %016llx", image.width, image.height, pixels.value());
 }
 
-// Cuts twice, since the second cut may go another way; draws; sweeps.
-void ask(const std::string& source, vprobe::Classify classify, vprobe::View view)
+vprobe::Result<vprobe::Dataset> opened(const std::string& source, vprobe::Classify classify)
 {
-	const std::string name = std::to_string(++plan_number);
 	vprobe::OpenOptions options;
 	options.classify = classify;
-	const auto data = vprobe::Dataset::open(source, options);
-	if (!data)
-		return tellError("open", data.error());
+	return vprobe::Dataset::open(source, options);
+}
+
+// Cuts twice, since the second cut may go another way.
+void ask(const vprobe::Dataset& data, const vprobe::View& view)
+{
+	const std::string name = std::to_string(++plan_number);
 	if (const auto fits = view.check(); !fits)
 		tellError("check", fits.error());
 	tell("state: %s", view.json().c_str());
-	tellPlan("first plan", *data, view);
+	tellPlan("first plan", data, view);
 	for (const char* which : {"first", "second"})
-		if (const auto cut = data->cut(view); cut)
+		if (const auto cut = data.cut(view); cut)
 			tellCut(*cut, name + which + ".vtp");
 		else
 			tellError(which, cut.error());
-	tellPlan("second plan", *data, view);
+	tellPlan("second plan", data, view);
+}
+
+void draw(const vprobe::Dataset& data, vprobe::View view)
+{
 	view.size(96, 64);
-	if (const auto image = data->render(view); image)
+	if (const auto image = data.render(view); image)
 		tellImage(*image);
 	else
 		tellError("render", image.error());
-	if (const auto set = view.set("frames", "2"); !set)
-		tellError("frames", set.error());
+	for (const auto& [key, value] : {std::pair("frames", "2"), std::pair("samples", "1")})
+		if (const auto set = view.set(key, value); !set)
+			tellError(key, set.error());
 	const auto on_frame = [](const vprobe::SweepFrame& frame)
 	{
 		tell("frame %d of %d", frame.index, frame.count);
@@ -157,7 +164,7 @@ void ask(const std::string& source, vprobe::Classify classify, vprobe::View view
 		tellImage(frame.image);
 		return true;
 	};
-	if (const auto swept = data->sweep(view, on_frame, true); !swept)
+	if (const auto swept = data.sweep(view, on_frame, true); !swept)
 		tellError("sweep", swept.error());
 }
 
@@ -170,7 +177,11 @@ int main(int count, char** words)
 	const vprobe::MessageListener messages([](std::string_view line)
 	                                       { tell("message: %.*s", static_cast<int>(line.size()), line.data()); });
 	std::ifstream plans(words[1]);
-	const bool on_device = std::string(words[3]) == "gpu";
+	const auto classify = std::string(words[3]) == "gpu" ? vprobe::Classify::gpu : vprobe::Classify::cpu;
+	// Pictures share a device, since it takes its time to open.
+	const auto drawn = opened(words[2], classify);
+	if (!drawn)
+		return std::fprintf(stderr, "%s\n", drawn.error().message.c_str()), 1;
 	vprobe::View view;
 	for (std::string line; std::getline(plans, line);)
 	{
@@ -187,7 +198,9 @@ int main(int count, char** words)
 				tellError("set", set.error());
 		}
 		else if (line == "ask")
-			ask(words[2], on_device ? vprobe::Classify::gpu : vprobe::Classify::cpu, view);
+			ask(*opened(words[2], classify), view);
+		else if (line == "draw")
+			draw(*drawn, view);
 	}
 	return 0;
 }

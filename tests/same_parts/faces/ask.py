@@ -33,41 +33,37 @@ def of_cut(cut):
 
 
 def of_sweep(data, settings):
-    for frame in data.sweep(frames=2, size=(96, 64), **settings):
+    for frame in data.sweep(**settings | {'frames': 2, 'size': (96, 64), 'samples': 1}):
         yield f'frame {frame.index} of {frame.count}: {digest(frame.image)}'
         yield from of_cut(frame.cut)
 
 
-def answers(data, settings):
-    """What is asked, and a function that gives the lines of the answer."""
-    def plan():
-        return [repr(row) for row in data.plan(**settings)]
-    yield 'first plan', plan
-    yield 'first cut', lambda: of_cut(data.cut(**settings))
-    yield 'second cut', lambda: of_cut(data.cut(**settings))
-    yield 'second plan', plan
-    yield 'picture', lambda: [digest(data.render(size=(96, 64), **settings))]
-    yield 'sweep', lambda: of_sweep(data, settings)
-
-
-def ask(name, source, classify, settings):
+def tell(name, what, answer):
+    """answer: a function that gives lines."""
     try:
-        data = vprobe.open(source, classify=classify)
+        for line in answer():
+            print(f'[{name}] {what}: {line}')
     except vprobe.Error as error:
-        print(f'[{name}] open: {type(error).__name__}: {error}')
-        return
-    for what, answer in answers(data, settings):
-        try:
-            for line in answer():
-                print(f'[{name}] {what}: {line}')
-        except vprobe.Error as error:
-            print(f'[{name}] {what}: {type(error).__name__}: {error}')
+        print(f'[{name}] {what}: {type(error).__name__}: {error}')
+
+
+def ask(name, data, settings):
+    """Cuts twice, since the second cut may go another way."""
+    for which in ('first', 'second'):
+        tell(name, f'{which} plan', lambda: map(repr, data.plan(**settings)))
+        tell(name, f'{which} cut', lambda: of_cut(data.cut(**settings)))
+
+
+def draw(name, data, settings):
+    tell(name, 'picture', lambda: [digest(data.render(**settings | {'size': (96, 64)}))])
+    tell(name, 'sweep', lambda: of_sweep(data, settings))
 
 
 def main():
     warnings.showwarning = lambda message, *_, **__: print('warning:', message)
     warnings.simplefilter('always')
     _, plans, source, classify = sys.argv
+    drawn = vprobe.open(source, classify=classify)  # pictures share a device, since it takes its time to open
     name, settings = '', {}
     with open(plans, encoding='utf-8') as lines:
         for line in lines:
@@ -78,7 +74,9 @@ def main():
                 key, _, value = rest.partition(' ')
                 settings[key] = value
             elif word == 'ask':
-                ask(name, source, classify, settings)
+                ask(name, vprobe.open(source, classify=classify), settings)
+            elif word == 'draw':
+                draw(name, drawn, settings)
 
 
 main()
