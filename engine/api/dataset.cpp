@@ -50,7 +50,7 @@ Result<Dataset> Dataset::open(const std::vector<std::string>& files, const OpenO
 		    spec.input.displace = options.displace;
 		    spec.input.format = options.format;
 		    spec.machine = machineOf(options.classify, options.device);
-		    Result<std::shared_ptr<DatasetState>> state = DatasetState::of(vp::session::openSession(
+		    Result<std::shared_ptr<DatasetState>> state = DatasetState::of(vp::session::Session::open(
 		        std::move(spec), {.expect = vp::session::Expect::one_cut, .stop = options.stop}));
 		    return state ? Result<Dataset>(Dataset(std::move(*state))) : state.error();
 	    });
@@ -77,8 +77,8 @@ Result<Dataset> Dataset::wrap(std::vector<Block> blocks, Classify classify, cons
 			    if (!taken)
 				    return publicError(taken.error());
 			    Result<std::shared_ptr<DatasetState>> state = DatasetState::of(
-			        vp::session::sessionOf(std::move(*taken), std::move(spec),
-			                               {.expect = vp::session::Expect::one_cut, .stop = std::move(stop)}));
+			        vp::session::Session::of(std::move(*taken), std::move(spec),
+			                                 {.expect = vp::session::Expect::one_cut, .stop = std::move(stop)}));
 			    if (!state)
 				    return state.error();
 			    (*state)->array_sizes = std::move(sizes);
@@ -94,38 +94,38 @@ Result<Dataset> Dataset::wrap(std::vector<Block> blocks, Classify classify, cons
 const char* Dataset::kind() const
 {
 	const std::lock_guard lock(state_->mutex);
-	return state_->session->blocks.kind();
+	return state_->session->blocks().kind();
 }
 
 std::size_t Dataset::cellCount() const
 {
 	const std::lock_guard lock(state_->mutex);
-	return state_->session->blocks.sourceCellCount();
+	return state_->session->blocks().sourceCellCount();
 }
 
 std::size_t Dataset::pointCount() const
 {
 	const std::lock_guard lock(state_->mutex);
-	return state_->session->blocks.sourcePointCount();
+	return state_->session->blocks().sourcePointCount();
 }
 
 std::size_t Dataset::blockCount() const
 {
 	const std::lock_guard lock(state_->mutex);
-	return state_->session->blocks.blocks.size();
+	return state_->session->blocks().blocks.size();
 }
 
 std::pair<Vector3, Vector3> Dataset::bounds() const
 {
 	const std::lock_guard lock(state_->mutex);
-	const vp::Box bounds = state_->session->blocks.bounds();
+	const vp::Box bounds = state_->session->blocks().bounds();
 	return {{bounds.lo.x, bounds.lo.y, bounds.lo.z}, {bounds.hi.x, bounds.hi.y, bounds.hi.z}};
 }
 
 std::vector<double> Dataset::times() const
 {
 	const std::lock_guard lock(state_->mutex);
-	return state_->session->blocks.times;
+	return state_->session->blocks().times;
 }
 
 std::vector<ArrayInfo> Dataset::arrays() const
@@ -137,7 +137,7 @@ std::vector<ArrayInfo> Dataset::arrays() const
 		return std::ranges::any_of(arrays, [&](const ArrayInfo& known)
 		                           { return known.name == info.name && known.association == info.association; });
 	};
-	for (const vp::grid::Block& block : state_->session->blocks.blocks)
+	for (const vp::grid::Block& block : state_->session->blocks().blocks)
 		for (const vp::grid::Field& field : block.fields)
 			if (const ArrayInfo info = infoOf(field); !isKnown(info))
 				arrays.push_back(info);
@@ -147,15 +147,15 @@ std::vector<ArrayInfo> Dataset::arrays() const
 HeldBlock Dataset::block(std::size_t index) const
 {
 	const std::lock_guard lock(state_->mutex);
-	return heldBlock(state_->session->blocks.blocks[index]);
+	return heldBlock(state_->session->blocks().blocks[index]);
 }
 
 MemoryUse Dataset::memory() const
 {
 	const std::lock_guard lock(state_->mutex);
-	const vp::grid::BlockSet& blocks = state_->session->blocks;
+	const vp::grid::BlockSet& blocks = state_->session->blocks();
 	const vp::grid::Memory grid = vp::grid::memoryOf(blocks);
-	const vp::cut::Cutter::Memory cutter = state_->session->cutter->memory();
+	const vp::cut::Cutter::Memory cutter = state_->session->cutter().memory();
 	const bool copied = std::ranges::any_of(
 	    blocks.blocks, [](const vp::grid::Block& block)
 	    { return std::holds_alternative<vp::grid::UnstructuredGrid>(block.grid) && vp::grid::hasNeighbors(block); });
@@ -165,7 +165,7 @@ MemoryUse Dataset::memory() const
 void Dataset::modified()
 {
 	const std::lock_guard lock(state_->mutex);
-	state_->forgetValues();
+	state_->session->forgetValues();
 }
 
 Status Dataset::setFields(std::vector<std::vector<Field>> fields)
@@ -177,18 +177,12 @@ Status Dataset::setFields(std::vector<std::vector<Field>> fields)
 		    vp::session::Session& session = *state_->session;
 		    const bool is_wrapped = !state_->array_sizes.empty();
 		    vp::Result<std::vector<std::vector<vp::grid::Field>>> checked =
-		        checkedFields(is_wrapped ? state_->array_sizes : arraySizes(session.blocks), fields);
+		        checkedFields(is_wrapped ? state_->array_sizes : arraySizes(session.blocks()), fields);
 		    if (!checked)
 			    return publicError(checked.error());
 		    state_->keepBlocksOfCuts();
-		    for (std::size_t b = 0; b < checked->size(); ++b)
-			    vp::grid::replaceFields(session.blocks.blocks[b], std::move((*checked)[b]));
-		    // What was resolved may name fields that are gone.
-		    if (vp::Status resolved =
-		            vp::session::resolveAgain(session, {.input = session.spec.input, .machine = session.spec.machine});
-		        !resolved)
-			    return publicError(resolved.error());
-		    state_->forgetValues();
+		    if (vp::Status replaced = session.replaceFields(std::move(*checked)); !replaced)
+			    return publicError(replaced.error());
 		    return Nothing{};
 	    });
 }
@@ -219,8 +213,9 @@ Result<std::vector<PlanRow>> Dataset::plan(const View& view) const
 
 Result<std::string> Dataset::probeText(const View& view) const
 {
-	return withView<std::string>(
-	    *state_, view, [&]() -> vp::Result<std::string> { return vp::probe::probeText(state_->session->view.probe); });
+	return withView<std::string>(*state_, view,
+	                             [&]() -> vp::Result<std::string>
+	                             { return vp::probe::probeText(state_->session->view().probe); });
 }
 
 Result<Image> Dataset::render(const Cut& cut, const View& view, std::stop_token stop) const

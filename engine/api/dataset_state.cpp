@@ -20,13 +20,13 @@ Result<std::shared_ptr<DatasetState>> DatasetState::of(vp::Result<std::unique_pt
 std::shared_ptr<CutBlocks> DatasetState::blocksOfCut()
 {
 	// When the blocks are complete, cells keep their numbers. Before that a copy is cheap, and nothing changes it.
-	if (!vp::grid::isComplete(session->blocks))
-		return std::make_shared<CutBlocks>(std::make_shared<const vp::grid::BlockSet>(session->blocks));
+	if (!vp::grid::isComplete(session->blocks()))
+		return std::make_shared<CutBlocks>(std::make_shared<const vp::grid::BlockSet>(session->blocks()));
 	std::shared_ptr<CutBlocks> shared = blocks_of_cuts.lock();
 	if (!shared)
 	{
 		shared = std::make_shared<CutBlocks>(
-		    std::shared_ptr<const vp::grid::BlockSet>(shared_from_this(), &session->blocks));
+		    std::shared_ptr<const vp::grid::BlockSet>(shared_from_this(), &session->blocks()));
 		blocks_of_cuts = shared;
 	}
 	return shared;
@@ -37,7 +37,7 @@ void DatasetState::keepBlocksOfCuts()
 	if (const std::shared_ptr<CutBlocks> shared = blocks_of_cuts.lock())
 	{
 		const std::lock_guard lock(shared->mutex); // nobody reads them now
-		shared->blocks = std::make_shared<const vp::grid::BlockSet>(session->blocks);
+		shared->blocks = std::make_shared<const vp::grid::BlockSet>(session->blocks());
 	}
 	blocks_of_cuts.reset();
 	++linking; // such a cut cannot be drawn on the blocks to come
@@ -46,17 +46,14 @@ void DatasetState::keepBlocksOfCuts()
 vp::Status DatasetState::moveTo(const vp::read::TimeChoice& time)
 {
 	keepBlocksOfCuts();
-	if (vp::Status moved = session->goTo(time); !moved)
-		return moved;
-	forgetValues();
-	return vp::Nothing{};
+	return session->goTo(time);
 }
 
 vp::Status DatasetState::returnToItsTime()
 {
 	if (!moved_to)
 		return vp::Nothing{};
-	if (vp::Status moved = moveTo(session->spec.input.time); !moved)
+	if (vp::Status moved = moveTo(session->spec().input.time); !moved)
 		return moved;
 	moved_to.reset();
 	return vp::Nothing{};
@@ -69,9 +66,9 @@ vp::Status DatasetState::take(const View& view, bool for_sweep)
 		if (vp::Status returned = returnToItsTime(); !returned)
 			return returned;
 	vp::view::ViewSpec spec = view.state_->spec;
-	spec.input = session->spec.input;
-	spec.machine.classify = session->spec.machine.classify;
-	spec.machine.device = session->spec.machine.device;
+	spec.input = session->spec().input;
+	spec.machine.classify = session->spec().machine.classify;
+	spec.machine.device = session->spec().machine.device;
 	if (vp::Status fits = vp::view::validate(spec); !fits)
 		return fits;
 	if (vp::Status one = vp::view::requireOneSurface(spec.probe); !one && spec.sweep == vp::view::SweepSpec())
@@ -84,7 +81,7 @@ vp::Status DatasetState::take(const View& view, bool for_sweep)
 
 vp::Status DatasetState::link(const std::stop_token& stop)
 {
-	if (vp::grid::isComplete(session->blocks))
+	if (vp::grid::isComplete(session->blocks()))
 		return vp::Nothing{};
 	if (vp::Status built = session->buildNeighbors(stop); !built)
 		return built;
@@ -99,8 +96,8 @@ vp::session::FrameRequest DatasetState::nextRequest() const
 	              : sweeps ? vp::session::Expect::first_of_many
 	                       : vp::session::Expect::one_cut;
 	// A sheet that is shown or exported needs no figures, but the flux depends on settings that may change.
-	next.wants.figures =
-	    session->spec.probe.vectors.on() ? vp::session::Wants::Figures::all : vp::session::Wants::Figures::for_picture;
+	next.wants.figures = session->spec().probe.vectors.on() ? vp::session::Wants::Figures::all
+	                                                        : vp::session::Wants::Figures::for_picture;
 	return next;
 }
 
@@ -114,13 +111,13 @@ vp::Result<Cut> DatasetState::cut(std::stop_token stop)
 		if (vp::Status linked = link(stop); !linked)
 			return linked.error();
 	vp::Result<std::shared_ptr<const vp::session::Frame>> frame = session->frame(next, stop);
-	session->timeline->takeSections();
+	session->timeline()->takeSections();
 	if (!frame)
 		return frame.error();
 	vp::session::reportBoundarySheets(*session, (*frame)->sheets);
 	++cuts;
 	auto state = std::make_shared<Cut::State>();
-	state->device = session->device;
+	state->device = session->device();
 	state->frame = std::move(*frame);
 	const vp::session::Frame& made = *state->frame;
 	state->blocks = made.slice.refined ? std::make_shared<CutBlocks>(made.slice.refined) : blocksOfCut();
@@ -130,9 +127,9 @@ vp::Result<Cut> DatasetState::cut(std::stop_token stop)
 			state->figures[s] = made.sheets[s].measure;
 	state->made_by = this;
 	state->linking = linking;
-	state->probe = session->spec.probe;
-	state->contour = session->spec.look.contour;
-	state->color_by = session->spec.look.color_by;
+	state->probe = session->spec().probe;
+	state->contour = session->spec().look.contour;
+	state->color_by = session->spec().look.color_by;
 	return Cut(std::move(state));
 }
 
@@ -140,28 +137,24 @@ vp::Status DatasetState::takeDevice(std::shared_ptr<vp::gpu::Device> callers)
 {
 	target.reset();
 	painter.reset();
-	session->renderer.reset();
-	session->cutter.reset();
-	session->break_even.reset();
 	has_callers_device = callers != nullptr;
-	session->device = std::move(callers);
 	++linking; // cuts may have their polygons on the device before
-	return session->makeCutter();
+	return session->takeDevice(std::move(callers));
 }
 
 bool DatasetState::fits(const Cut& cut) const
 {
 	const Cut::State& state = *cut.state_;
-	return state.made_by == this && state.linking == linking && state.probe == session->spec.probe &&
-	       state.contour == session->spec.look.contour && state.color_by == session->spec.look.color_by;
+	return state.made_by == this && state.linking == linking && state.probe == session->spec().probe &&
+	       state.contour == session->spec().look.contour && state.color_by == session->spec().look.color_by;
 }
 
 vp::Result<Cut> DatasetState::readyToDraw(const Cut& cut, const std::stop_token& stop)
 {
-	vp::Result<vp::view::ResolvedLook> look = vp::view::resolveLook(session->spec);
+	vp::Result<vp::view::ResolvedLook> look = vp::view::resolveLook(session->spec());
 	if (!look)
 		return look.error();
-	if (vp::Status opened = vp::session::drawOn(*session); !opened)
+	if (vp::Status opened = session->openDevice(); !opened)
 		return opened.error();
 	if (painter)
 	{
@@ -194,18 +187,10 @@ vp::Result<Image> DatasetState::draw(const Cut& cut, const std::stop_token& stop
 		return drawn.error();
 	const vp::session::Frame& frame = *drawn->state_->frame;
 	vp::Result<vp::render::Picture> picture = painter->draw(frame.slice, frame.sheets, frame.contours, stop);
-	session->timeline->takeSections();
+	session->timeline()->takeSections();
 	if (!picture)
 		return afterFailure(picture.error());
 	return Image{picture->width, picture->height, std::move(picture->rgba)};
-}
-
-void DatasetState::forgetValues()
-{
-	session->forgetValues();
-	session->finite_fields = std::make_unique<vp::measure::FiniteFields>();
-	session->launch.fastest.reset();
-	session->is_resolved = false; // the step of particles follows from values
 }
 
 } // namespace vprobe

@@ -130,7 +130,7 @@ Result<Samples> Dataset::sample(std::span<const Vector3> points, const std::vect
 		    if (vp::Status linked = state_->link(stop); !linked)
 			    return publicError(linked.error());
 		    vp::Result<Samples> samples = vp::endingOnRequest(
-		        stop, "sampling", [&] { return samplesAt(state_->session->blocks, points, names); });
+		        stop, "sampling", [&] { return samplesAt(state_->session->blocks(), points, names); });
 		    return samples ? Result<Samples>(std::move(*samples)) : publicError(samples.error());
 	    });
 }

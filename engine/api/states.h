@@ -108,7 +108,6 @@ struct DatasetState : std::enable_shared_from_this<DatasetState>
 	vp::Error afterFailure(const vp::Error& error);              // of drawing; leaves a device that was lost
 	std::shared_ptr<CutBlocks> blocksOfCut();                    // for a cut that is made now
 	void keepBlocksOfCuts(); // before arrays change: cuts keep the blocks as they are
-	void forgetValues();
 	vp::Status moveTo(const vp::read::TimeChoice& time);
 	vp::Status returnToItsTime(); // time at which the data set was opened
 };

@@ -21,23 +21,23 @@ public:
 	static vp::Result<Frames> of(DatasetState& state)
 	{
 		const vp::session::Session& session = *state.session;
-		const vp::view::SweepSpec& sweep = session.spec.sweep;
+		const vp::view::SweepSpec& sweep = session.spec().sweep;
 		Frames frames(state);
 		if (sweep.over_times)
 		{
-			frames.count_ = static_cast<int>(session.blocks.times.size());
+			frames.count_ = static_cast<int>(session.blocks().times.size());
 			if (frames.count_ == 0)
 				return vp::Error{vp::ErrorKind::usage, "`path` times: the input has no times; choose another path"};
 			return frames;
 		}
-		if (vp::Status fits = vp::view::requirePathOfSurface(session.spec.probe, sweep); !fits)
+		if (vp::Status fits = vp::view::requirePathOfSurface(session.spec().probe, sweep); !fits)
 			return fits.error();
 		const vp::Result<int> count = vp::view::frameCount(sweep);
 		if (!count)
 			return count.error();
 		frames.count_ = *count;
 		frames.path_ = vp::view::pathOf(sweep);
-		frames.poses_ = vp::probe::poses(frames.path_, session.view.probe, session.blocks.bounds(), *count);
+		frames.poses_ = vp::probe::poses(frames.path_, session.view().probe, session.blocks().bounds(), *count);
 		return frames;
 	}
 
@@ -78,8 +78,8 @@ private:
 	{
 		vp::session::Session& session = *state_.session;
 		const vp::read::TimeChoice time =
-		    vp::session::choiceOfStep(session.blocks.times, static_cast<std::size_t>(index));
-		frame.time = session.blocks.times[static_cast<std::size_t>(index)];
+		    vp::session::choiceOfStep(session.blocks().times, static_cast<std::size_t>(index));
+		frame.time = session.blocks().times[static_cast<std::size_t>(index)];
 		if (state_.moved_to == time)
 			return vp::Nothing{};
 		state_.moved_to = time; // also where it fails half way

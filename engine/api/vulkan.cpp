@@ -51,7 +51,7 @@ vp::Status prepareImage(DatasetState& state, VkExtent2D extent)
 	info.extent = extent;
 	info.format = vp::render::kPictureFormat;
 	info.usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-	vp::Result<vp::gpu::Image> made = vp::gpu::Image::create(*state.session->device, info, "picture for the caller");
+	vp::Result<vp::gpu::Image> made = vp::gpu::Image::create(*state.session->device(), info, "picture for the caller");
 	if (!made)
 		return made.error();
 	state.target.emplace(std::move(*made));
@@ -96,7 +96,7 @@ vp::Status DatasetState::drawForCaller(const Cut& cut, VkExtent2D extent)
 		return ready;
 	const vp::session::Frame& frame = *drawn->state_->frame;
 	const vp::Status done = painter->drawInto(*target, frame.slice, frame.sheets, frame.contours);
-	session->timeline->takeSections();
+	session->timeline()->takeSections();
 	return done;
 }
 
@@ -154,7 +154,7 @@ Status drawInto(const Dataset& data, const Cut& cut, const View& view, const Vul
 				    return fits.error();
 			    vp::Status done = state.drawForCaller(cut, {target.width, target.height});
 			    if (done)
-				    done = copyTo(*state.session->device, *state.target, target);
+				    done = copyTo(*state.session->device(), *state.target, target);
 			    if (!done)
 				    return state.afterFailure(done.error());
 			    return Nothing{};

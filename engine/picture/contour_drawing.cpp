@@ -14,7 +14,7 @@ Status addContours(const session::Session& session, const cut::SheetCut& sheet,
 	if (contours.empty())
 		return Nothing{};
 	const bool colored = !choice.by_generation; // whose scale is none of the values'
-	auto polygons = ranks::contourPolygons(session.ranks, *session.device, sheet, contours, colored);
+	auto polygons = ranks::contourPolygons(session.ranks(), *session.device(), sheet, contours, colored);
 	if (!polygons)
 		return polygons.error();
 	if (!*polygons)

@@ -41,15 +41,15 @@ void addRim(const probe::Sheet& sheet, std::vector<Vec3>& extent)
 } // namespace
 
 Painter::Painter(session::Session& session, SheetLooks looks, render::Renderer renderer)
-    : session_(session), drawn_(session.stamp), looks_(std::move(looks)), vectors_(session),
-      renderer_(std::move(renderer)), pool_(classify::RecordPool::create(*session.device))
+    : session_(session), drawn_(session.stamp()), looks_(std::move(looks)), vectors_(session),
+      renderer_(std::move(renderer)), pool_(classify::RecordPool::create(*session.device()))
 {
 }
 
 // Computes anew what depends on values and blocks, if the session has others since the last picture.
 Status Painter::followSession()
 {
-	const session::Session::Stamp before = std::exchange(drawn_, session_.stamp);
+	const session::Session::Stamp before = std::exchange(drawn_, session_.stamp());
 	const bool has_other_grid = before.grid != drawn_.grid;
 	if (has_other_grid || before.values != drawn_.values)
 	{
@@ -62,14 +62,15 @@ Status Painter::followSession()
 
 Status Painter::takeBlocks()
 {
-	Result<ranks::Surroundings> around = ranks::surroundingsOf(session_.ranks, session_.blocks, choice().look.outline);
+	Result<ranks::Surroundings> around =
+	    ranks::surroundingsOf(session_.ranks(), session_.blocks(), choice().look.outline);
 	if (!around)
 		return around.error();
 	outline_ = std::move(around->outline);
 	extent_ = std::move(around->extent);
 	if (choice().look.box_axes)
 		for (int i = 0; i < 8; ++i)
-			extent_.push_back(render::corner(session_.blocks.bounds(), i));
+			extent_.push_back(render::corner(session_.blocks().bounds(), i));
 	for (const render::Segment& line : outline_)
 		extent_.insert(extent_.end(), {line.a, line.b});
 	return makeContext();
@@ -80,13 +81,13 @@ Status Painter::makeContext()
 	context_.clear();
 	for (const view::ContextSpec& context : choice().context)
 	{
-		Result<mesh::SheetMesh> mesh = contextMesh(session_.blocks, context);
+		Result<mesh::SheetMesh> mesh = contextMesh(session_.blocks(), context);
 		if (!mesh)
 			return mesh.error();
-		const ranks::Borders borders = ranks::joinWholeCells(session_.ranks, session_.blocks, *mesh);
+		const ranks::Borders borders = ranks::joinWholeCells(session_.ranks(), session_.blocks(), *mesh);
 		if (borders.hangs)
 			return ranks::sizesDiffer("context");
-		auto polygons = ranks::surfacePolygons(session_.ranks, *session_.device, *mesh, borders, {});
+		auto polygons = ranks::surfacePolygons(session_.ranks(), *session_.device(), *mesh, borders, {});
 		if (!polygons)
 			return polygons.error();
 		render::Surface& surface = context_.emplace_back();
@@ -110,9 +111,7 @@ Status Painter::setLook(view::ResolvedLook look)
 
 Result<Painter> Painter::create(session::Session& session, view::ResolvedLook look)
 {
-	Result<render::Renderer> renderer =
-	    session.renderer ? std::move(*session.renderer) : render::Renderer::create(*session.device);
-	session.renderer.reset();
+	Result<render::Renderer> renderer = session.takeRenderer();
 	if (!renderer)
 		return renderer.error();
 	Painter painter(session, {session, std::move(look)}, std::move(*renderer));
@@ -128,8 +127,8 @@ Result<render::Surface> Painter::surfaceOf(const cut::Cut& slice, std::size_t sh
 {
 	const mesh::SheetMesh& mesh = stats.crinkle ? *stats.crinkle : stats.mesh;
 	auto polygons = ranks::surfacePolygons(
-	    session_.ranks, *session_.device, mesh, stats.crinkle ? stats.crinkle_borders : stats.borders,
-	    sheetValues(slice.blocksOf(session_.blocks), slice.sheets[sheet], mesh, choice().by_generation));
+	    session_.ranks(), *session_.device(), mesh, stats.crinkle ? stats.crinkle_borders : stats.borders,
+	    sheetValues(slice.blocksOf(session_.blocks()), slice.sheets[sheet], mesh, choice().by_generation));
 	if (!polygons)
 		return polygons.error();
 	return render::Surface{.polygons = std::move(*polygons),
@@ -155,7 +154,7 @@ void Painter::addContours(const cut::Cut& slice, const std::vector<session::Shee
 		if (levels.empty())
 			continue;
 		const auto values =
-		    sheetValues(slice.blocksOf(session_.blocks), slice.sheets[s], sheets[s].mesh, choice().by_generation);
+		    sheetValues(slice.blocksOf(session_.blocks()), slice.sheets[s], sheets[s].mesh, choice().by_generation);
 		drawing.contours = render::levelLines(sheets[s].mesh, content, values, levels);
 	}
 	// Any sheet may hide labels of another.
@@ -178,12 +177,12 @@ Result<std::shared_ptr<const classify::SheetRecords>> Painter::recordsOf(const c
 		return known->second;
 	const mesh::MeshRecords host =
 	    by_generation ? mesh::MeshRecords(sheet.sheet, stats.mesh, cut::polygonGenerations(sheet, stats.mesh))
-	                  : mesh::MeshRecords(slice.blocksOf(session_.blocks), sheet.sheet, stats.mesh, sheet.field);
+	                  : mesh::MeshRecords(slice.blocksOf(session_.blocks()), sheet.sheet, stats.mesh, sheet.field);
 	auto made = classify::recordsFromMesh(pool_, host);
 	if (!made)
 		return made.error();
 	// All parts of a sheet are drawn in one way.
-	(*made)->overlapping = session_.ranks.any((*made)->overlapping || classify::mayFold(session_.blocks));
+	(*made)->overlapping = session_.ranks().any((*made)->overlapping || classify::mayFold(session_.blocks()));
 	return records_[sheet.number] = std::move(*made);
 }
 
@@ -215,7 +214,7 @@ Status Painter::addSheets(const cut::Cut& slice, const std::vector<session::Shee
 		if (!records)
 			return records.error();
 		made->records = std::move(*records);
-		made->bounds = ranks::boundsOfAll(session_.ranks, made->records->bounds);
+		made->bounds = ranks::boundsOfAll(session_.ranks(), made->records->bounds);
 		scene.sheets.push_back(std::move(*made));
 	}
 	return Nothing{};
@@ -224,14 +223,14 @@ Status Painter::addSheets(const cut::Cut& slice, const std::vector<session::Shee
 Result<render::Scene> Painter::sceneOf(const cut::Cut& slice, const std::vector<session::SheetStats>& sheets,
                                        const session::Contours& contours)
 {
-	const TimedSection section(session_.timeline.get(), "scene");
+	const TimedSection section(session_.timeline(), "scene");
 	if (Status followed = followSession(); !followed)
 		return followed.error();
 	render::Scene scene;
 	scene.look = choice().look;
 	scene.outline = outline_;
 	scene.surfaces = context_;
-	scene.bounds = session_.blocks.bounds();
+	scene.bounds = session_.blocks().bounds();
 	scene.fitted = choice().camera.kind != render::CameraChoice::Kind::fixed;
 	auto scale = looks_.scaleOf(slice, sheets, std::ranges::any_of(sheets, hasNan));
 	if (!scale)
@@ -249,7 +248,7 @@ Result<render::Scene> Painter::sceneOf(const cut::Cut& slice, const std::vector<
 	const probe::Sheet* first = has_plane ? &slice.sheets.front().shown : nullptr;
 	if (!slice.sheets.empty() && choice().captions)
 		scene.look.caption =
-		    has_plane ? caption(*first, session_.blocks.bounds()) : cut::surfaceName(slice.sheets.front());
+		    has_plane ? caption(*first, session_.blocks().bounds()) : cut::surfaceName(slice.sheets.front());
 	if (!camera_ || choice().camera.followsSheet())
 	{
 		if (choice().camera.followsSheet() && !has_plane)
@@ -270,30 +269,30 @@ Result<render::Scene> Painter::sceneOf(const cut::Cut& slice, const std::vector<
 Result<render::Picture> Painter::draw(const cut::Cut& slice, const std::vector<session::SheetStats>& sheets,
                                       const session::Contours& contours, const std::stop_token& stop)
 {
-	const TimedSection section(session_.timeline.get(), "render");
+	const TimedSection section(session_.timeline(), "render");
 	Result<render::Scene> scene = sceneOf(slice, sheets, contours);
 	if (!scene)
 		return scene.error();
 	std::function<bool()> goes_on;
 	if (stop.stop_possible())
 		goes_on = [&] { return !stop.stop_requested(); };
-	return ranks::draw(session_.ranks, renderer_, *scene, session_.timeline.get(), goes_on);
+	return ranks::draw(session_.ranks(), renderer_, *scene, session_.timeline(), goes_on);
 }
 
 Status Painter::drawInto(const gpu::Image& image, const cut::Cut& slice, const std::vector<session::SheetStats>& sheets,
                          const session::Contours& contours)
 {
-	const TimedSection section(session_.timeline.get(), "render");
+	const TimedSection section(session_.timeline(), "render");
 	Result<render::Scene> scene = sceneOf(slice, sheets, contours);
 	if (!scene)
 		return scene.error();
-	Result<bool> drawn = renderer_.drawInto(*scene, image, {}, session_.timeline.get());
+	Result<bool> drawn = renderer_.drawInto(*scene, image, {}, session_.timeline());
 	return drawn ? Status(Nothing{}) : drawn.error();
 }
 
 Result<render::Picture> Painter::drawEmpty(const cut::Cut& slice, const std::vector<session::SheetStats>& sheets)
 {
-	const TimedSection section(session_.timeline.get(), "render");
+	const TimedSection section(session_.timeline(), "render");
 	Result<render::Scene> scene = sceneOf(slice, sheets);
 	if (!scene)
 		return scene.error();
@@ -305,7 +304,7 @@ Result<render::Picture> Painter::drawEmpty(const cut::Cut& slice, const std::vec
 		sheet.rim_lines.clear();
 	}
 	scene->surfaces = context_;
-	return renderer_.draw(*scene, session_.timeline.get());
+	return renderer_.draw(*scene, session_.timeline());
 }
 
 } // namespace vp::picture

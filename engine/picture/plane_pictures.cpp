@@ -35,7 +35,7 @@ Result<std::vector<std::string>> writePictures(const session::Session& session, 
 	Result<std::vector<std::string>> paths = pictureNames(output, sheets.size());
 	if (!paths)
 		return paths;
-	const std::vector<render::Segment> outline = render::outlineOf(session.blocks, look.look.outline);
+	const std::vector<render::Segment> outline = render::outlineOf(session.blocks(), look.look.outline);
 	SheetLooks looks(session, look);
 	std::vector<render::FlatScene> flats;
 	for (std::size_t s = 0; s < sheets.size(); ++s)
@@ -50,14 +50,15 @@ Result<std::vector<std::string>> writePictures(const session::Session& session, 
 		flat.scene.values = *scale;
 		flat.scene.sheets.push_back(std::move(*drawing));
 		flat.scene.outline = outline;
-		flat.scene.bounds = session.blocks.bounds();
+		flat.scene.bounds = session.blocks().bounds();
 		flat.scene.look = looks.choice().look;
 		flat.scene.look.caption = caption(slice.sheets[s].sheet, *flat.scene.bounds);
 		flat.camera = look.camera;
 		flat.content = slice.sheets[s].sheet;
 		flat.mesh = &sheets[s].mesh;
 		flat.color_steps = write::colorSteps(*write::pictureFormatOf(output));
-		flat.values = sheetValues(slice.blocksOf(session.blocks), slice.sheets[s], sheets[s].mesh, look.by_generation);
+		flat.values =
+		    sheetValues(slice.blocksOf(session.blocks()), slice.sheets[s], sheets[s].mesh, look.by_generation);
 	}
 	if (Status written = write::writePlanePictures(flats, *paths); !written)
 		return written.error();

@@ -77,7 +77,7 @@ void SheetLooks::setChoice(view::ResolvedLook choice)
 void SheetLooks::takeLengthUnits()
 {
 	std::string& units = choice_.look.length_units;
-	const auto& blocks = session_.blocks.blocks;
+	const auto& blocks = session_.blocks().blocks;
 	if (units.empty() && !blocks.empty() &&
 	    std::ranges::all_of(blocks, [&](const auto& b) { return b.length_units == blocks[0].length_units; }))
 		units = blocks[0].length_units;
@@ -86,10 +86,10 @@ void SheetLooks::takeLengthUnits()
 // Those of the settings go before the file's.
 std::string SheetLooks::unitsOf(const std::optional<grid::FieldChoice>& field) const
 {
-	if (field == session_.view.field && !choice_.units.empty())
+	if (field == session_.view().field && !choice_.units.empty())
 		return choice_.units;
 	if (field && !field->name.ends_with(']'))
-		for (const grid::Field* of_block : field->inEach(session_.blocks))
+		for (const grid::Field* of_block : field->inEach(session_.blocks()))
 			if (of_block && !of_block->units.empty())
 				return of_block->units;
 	return {};
@@ -140,12 +140,12 @@ Result<std::optional<render::ValueScale>> SheetLooks::scaleOf(const cut::Cut& sl
 {
 	if (choice_.by_generation)
 		return std::optional(generationScale(slice));
-	auto scale = scaleOf(session_.view.field, has_nan);
+	auto scale = scaleOf(session_.view().field, has_nan);
 	if (!scale || !*scale)
 		return scale;
 	std::vector<const session::SheetStats*> of_array;
 	for (std::size_t s = 0; s < sheets.size(); ++s)
-		if (slice.sheets[s].field == session_.view.field)
+		if (slice.sheets[s].field == session_.view().field)
 			of_array.push_back(&sheets[s]);
 	chooseEnds(**scale, of_array);
 	return scale;
@@ -159,7 +159,7 @@ Result<render::SheetDrawing> SheetLooks::drawing(const cut::SheetCut& sheet, con
 	if (const std::optional<probe::Window>& window = sheet.sheet.window)
 		drawing.window = render::WindowRect{window->x0, window->x1, window->y0, window->y1};
 	drawing.rim = choice_.window_rims;
-	if (sheet.field != session_.view.field && !choice_.by_generation)
+	if (sheet.field != session_.view().field && !choice_.by_generation)
 	{
 		auto scale = scaleOf(sheet.field, hasNan(stats));
 		if (!scale)

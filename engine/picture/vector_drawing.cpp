@@ -74,8 +74,8 @@ std::vector<Vec3> velocitiesOf(const vectors::Traces& traces, vectors::VectorPar
 Result<VectorDrawing::Coloring> VectorDrawing::coloringOf(const view::ResolvedVectorLook& look) const
 {
 	if (look.color.empty())
-		return Coloring{session_->view.vector_array};
-	auto field = grid::chooseField(session_->blocks, look.color, {}, "`vector_color`");
+		return Coloring{session_->view().vector_array};
+	auto field = grid::chooseField(session_->blocks(), look.color, {}, "`vector_color`");
 	if (field)
 		return Coloring{*field};
 	if (const auto color = render::parseColor(look.color))
@@ -87,24 +87,24 @@ std::vector<double> VectorDrawing::valuesOf(const Coloring& coloring, const vect
 {
 	if (!coloring.field)
 		return std::vector<double>(traces.points.size());
-	if (coloring.field == session_->view.vector_array)
+	if (coloring.field == session_->view().vector_array)
 		return lengthsOf(traces);
-	std::vector<double> values = vectors::valuesAt(session_->blocks, *coloring.field, traces);
-	ranks::takeFromOwners(session_->ranks, session_->blocks, traces, values);
+	std::vector<double> values = vectors::valuesAt(session_->blocks(), *coloring.field, traces);
+	ranks::takeFromOwners(session_->ranks(), session_->blocks(), traces, values);
 	return values;
 }
 
 std::vector<double> VectorDrawing::turnsOf(const vectors::Traces& traces) const
 {
-	std::vector<double> rates = vectors::turnRates(session_->blocks, *session_->view.vector_array, traces);
-	ranks::takeFromOwners(session_->ranks, session_->blocks, traces, rates);
+	std::vector<double> rates = vectors::turnRates(session_->blocks(), *session_->view().vector_array, traces);
+	ranks::takeFromOwners(session_->ranks(), session_->blocks(), traces, rates);
 	return vectors::turnsAlong(rates, traces);
 }
 
 void VectorDrawing::addTraces(const vectors::Traces& traces, const Vec3& normal, const Coloring& coloring, double width,
                               vectors::TraceMesh& made) const
 {
-	const view::LaunchChoice& choice = *session_->view.launch;
+	const view::LaunchChoice& choice = *session_->view().launch;
 	const vectors::Curves curves =
 	    vectors::curvesOf(traces, velocitiesOf(traces, choice.part, normal), kMinPiece * width);
 	const std::vector<double> values = vectors::alongCurves(curves, valuesOf(coloring, traces));
@@ -123,7 +123,7 @@ void VectorDrawing::addTraces(const vectors::Traces& traces, const Vec3& normal,
 
 Status VectorDrawing::make(Kept& kept, const cut::Cut& slice) const
 {
-	const double width = kept.width.value_or(widthOf(*session_->view.launch, session_->blocks.bounds()));
+	const double width = kept.width.value_or(widthOf(*session_->view().launch, session_->blocks().bounds()));
 	vectors::TraceMesh made;
 	for (std::size_t s = 0; s < kept.traces.size(); ++s)
 		addTraces(*kept.traces[s], slice.sheets[s].sheet.normal, kept.coloring, width, made);
@@ -131,7 +131,7 @@ Status VectorDrawing::make(Kept& kept, const cut::Cut& slice) const
 	render::SurfaceValues values;
 	if (kept.coloring.field)
 		values.at_vertices = made.values;
-	auto polygons = ranks::surfaceOfFirst(session_->ranks, *session_->device, made.mesh, values);
+	auto polygons = ranks::surfaceOfFirst(session_->ranks(), *session_->device(), made.mesh, values);
 	if (!polygons)
 		return polygons.error();
 	kept.polygons = std::move(*polygons);
@@ -143,7 +143,7 @@ Result<std::optional<render::Surface>> VectorDrawing::surface(const cut::Cut& sl
                                                               const std::optional<render::ValueScale>& scale,
                                                               SheetLooks& looks)
 {
-	if (!session_->view.launch)
+	if (!session_->view().launch)
 		return std::optional<render::Surface>();
 	const view::ResolvedVectorLook& look = looks.choice().vectors;
 	Result<Coloring> coloring = coloringOf(look);
@@ -164,7 +164,7 @@ Result<std::optional<render::Surface>> VectorDrawing::surface(const cut::Cut& sl
 	surface.name = "vectors";
 	if (!kept_->coloring.field)
 		return std::optional(surface);
-	const bool as_sheets = kept_->coloring.field == session_->view.field && !looks.choice().by_generation;
+	const bool as_sheets = kept_->coloring.field == session_->view().field && !looks.choice().by_generation;
 	Result<std::optional<render::ValueScale>> own =
 	    as_sheets ? scale : looks.scaleOf(*kept_->coloring.field, kept_->has_nan);
 	if (!own)

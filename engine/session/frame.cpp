@@ -56,18 +56,18 @@ Result<std::shared_ptr<const Frame>> Session::frame(const FrameRequest& request,
 	const auto cancelled = [&] { return stop.stop_requested(); };
 	if (Status ready = prepareFor(request, stop); !ready)
 		return ready.error();
-	expected = request.expect;
+	expected_ = request.expect;
 	const Frame* last = usableLast(request);
-	if (last && last->stamp == stamp && last->made_for.isPlacedAs(request) && last->made_for.wants == request.wants)
+	if (last && last->stamp == stamp_ && last->made_for.isPlacedAs(request) && last->made_for.wants == request.wants)
 		return request.last;
 
 	auto frame = std::make_shared<Frame>();
 	frame->made_for = request;
 	frame->made_for.last.reset();
-	frame->stamp = stamp;
+	frame->stamp = stamp_;
 	std::vector<bool> kept; // per sheet
 	{
-		const TimedSection section(timeline.get(), "cut");
+		const TimedSection section(timeline_.get(), "cut");
 		Result<cut::Cut> found = find(request, last, stop);
 		if (!found)
 			return found.error();
@@ -82,7 +82,7 @@ Result<std::shared_ptr<const Frame>> Session::frame(const FrameRequest& request,
 		return Error{ErrorKind::cancelled, "cutting was cancelled"};
 	if (request.wants.contours)
 	{
-		Result<Contours> contours = growContours(*this, frame->slice, frame->sheets, spec.look.contour,
+		Result<Contours> contours = growContours(*this, frame->slice, frame->sheets, spec_.look.contour,
 		                                         request.wants.warns ? Tell::all : Tell::unfit);
 		if (!contours)
 			return contours.error();
@@ -95,7 +95,7 @@ Result<std::shared_ptr<const Frame>> Session::frame(const FrameRequest& request,
 const Frame* Session::usableLast(const FrameRequest& request) const
 {
 	const Frame* last = request.last.get();
-	return last && last->stamp.cells == stamp.cells && last->stamp.settings == stamp.settings &&
+	return last && last->stamp.cells == stamp_.cells && last->stamp.settings == stamp_.settings &&
 	               last->made_for.wants.figures == request.wants.figures
 	           ? last
 	           : nullptr;
@@ -104,10 +104,10 @@ const Frame* Session::usableLast(const FrameRequest& request) const
 // Finds the cut cells, or gathers the new values for those of the frame before.
 Result<cut::Cut> Session::find(const FrameRequest& request, const Frame* last, const std::stop_token& stop)
 {
-	const bool has_new_values = last && last->stamp.values != stamp.values;
-	if (has_new_values && last->stamp.place == stamp.place && last->made_for.isPlacedAs(request) &&
-	    keepsCells(view, *last))
-		return cutter->regather(last->slice, timeline.get());
+	const bool has_new_values = last && last->stamp.values != stamp_.values;
+	if (has_new_values && last->stamp.place == stamp_.place && last->made_for.isPlacedAs(request) &&
+	    keepsCells(view_, *last))
+		return cutter_->regather(last->slice, timeline_.get());
 	std::shared_ptr<const cut::Cut> before;
 	if (last && !has_new_values)
 		before = std::shared_ptr<const cut::Cut>(request.last, &last->slice);

@@ -55,12 +55,12 @@ ValueThere valueAt(const contour::BoxContourer& contourer, const cut::SheetCut& 
 Result<double> valueOfAll(const Session& session, ValueThere there, const std::pair<double, double>& at)
 {
 	// Of polygons over each other the last counts, as in one process.
-	there = session.ranks.sum(there,
-	                          [](ValueThere& all, const ValueThere& higher)
-	                          {
-		                          if (higher.is_there && (!all.is_there || higher.is_inside || !all.is_inside))
-			                          all = higher;
-	                          });
+	there = session.ranks().sum(there,
+	                            [](ValueThere& all, const ValueThere& higher)
+	                            {
+		                            if (higher.is_there && (!all.is_there || higher.is_inside || !all.is_inside))
+			                            all = higher;
+	                            });
 	if (there.is_there && std::isfinite(there.value))
 		return there.value;
 	return Error{ErrorKind::usage,
@@ -72,15 +72,15 @@ contour::BoxContourer contourerOf(const Session& session, const cut::SheetCut& s
                                   const view::ContourSpec& spec)
 {
 	const auto depth = spec.depth > 0.0 ? std::optional(spec.depth) : std::nullopt;
-	const Box rect = ranks::rectOf(session.ranks, sheet, mesh);
-	contour::BoxContourer contourer(*session.cutter, sheet, mesh, contour::boxOf(sheet, rect, depth));
-	ranks::shareRange(session.ranks, contourer);
+	const Box rect = ranks::rectOf(session.ranks(), sheet, mesh);
+	contour::BoxContourer contourer(session.cutter(), sheet, mesh, contour::boxOf(sheet, rect, depth));
+	ranks::shareRange(session.ranks(), contourer);
 	return contourer;
 }
 
 bool isEmpty(const Session& session, const ranks::GrownContour& contour)
 {
-	return !session.ranks.any(contour.mesh.polygons() > 0);
+	return !session.ranks().any(contour.mesh.polygons() > 0);
 }
 
 void tellEmpty(const Session& session, const cut::Cut& slice, std::size_t s, double value,
@@ -92,7 +92,7 @@ void tellEmpty(const Session& session, const cut::Cut& slice, std::size_t s, dou
 	const auto [lo, hi] = *contourer.range();
 	const int digits = digitsForRange(lo, hi);
 	warn("`contour` {} is empty: {} has {} from {:.{}g} to {:.{}g} within its box; give a value between", value, where,
-	     slice.sheets[s].field->title(session.blocks), lo, digits, hi, digits);
+	     slice.sheets[s].field->title(session.blocks()), lo, digits, hi, digits);
 }
 
 } // namespace
@@ -129,7 +129,7 @@ Result<Contours> growContours(const Session& session, const cut::Cut& slice, con
 		if (is_pointed)
 			values.push_back(pointed->value);
 		Result<std::vector<ranks::GrownContour>> grown =
-		    ranks::growContours(session.ranks, session.blocks, contourer, values, session.timeline.get());
+		    ranks::growContours(session.ranks(), session.blocks(), contourer, values, session.timeline());
 		if (!grown)
 			return grown.error();
 		contours[s] = std::move(*grown);

@@ -30,38 +30,6 @@ void limitThreads(int threads)
 		limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, threads);
 }
 
-// auto takes what is faster on the fronts to come, which was measured on a part of the grid: all sheets go to the
-// device at once, and a plane cuts some N^(2/3) of N cells. Chosen once, since a device must be given the whole grid
-// first.
-bool isWorthDevice(const Session& session)
-{
-	const double front = static_cast<double>(session.view.probe.sheets.size()) *
-	                     std::pow(static_cast<double>(session.blocks.cellCount()), 2.0 / 3.0);
-	const std::optional<std::size_t> from = session.break_even->cells;
-	return from && static_cast<double>(*from) <= front;
-}
-
-bool classifiesOnGpu(Session& session)
-{
-	const view::Classify asked = session.spec.machine.classify;
-	if (!session.ranks.mayUseDevice() || !session.device || asked == view::Classify::cpu ||
-	    leavesDeviceIdle(session.spec.probe) || !grid::hasNeighbors(session.blocks))
-		return false;
-	if (asked == view::Classify::gpu)
-		return true;
-	if (session.device->isSoftware())
-		return false;
-	if (!session.break_even)
-	{
-		const TimedSection section(session.timeline.get(), "upload");
-		const Result<classify::BreakEven> measured = classify::measureBreakEven(*session.device, session.blocks);
-		if (!measured)
-			warn("{}; the CPU classifies instead", measured.error().message);
-		session.break_even = measured ? *measured : classify::BreakEven{};
-	}
-	return isWorthDevice(session);
-}
-
 // Those that are shown, where no others are wanted. Vectors have colors by any array, and start with the first that
 // fits.
 read::ArrayWish wishedArrays(const view::ProbeSpec& probe)
@@ -111,17 +79,18 @@ read::ReadOptions readOptions(const view::ViewSpec& spec, const read::TimeChoice
 	        .raw = input.raw};
 }
 
-read::ReadOptions readOptions(const Session& session, const read::TimeChoice& time)
+read::ReadOptions Session::readOptions(const read::TimeChoice& time) const
 {
-	read::ReadOptions reading = readOptions(session.spec, time);
-	if (!session.reads_all_arrays)
-		reading.arrays = wishedArrays(session.spec.probe);
+	read::ReadOptions reading = session::readOptions(spec_, time);
+	if (!reads_all_arrays_)
+		reading.arrays = wishedArrays(spec_.probe);
 	return reading;
 }
 
-Result<grid::BlockSet> readInputs(Session& session, const read::ReadOptions& options)
+// Reads the inputs: all of them, or the share of this rank.
+Result<grid::BlockSet> Session::readInputs(const read::ReadOptions& options)
 {
-	return ranks::readInputs(session.ranks, session.spec.input.files, options, session.timeline.get());
+	return ranks::readInputs(ranks_, spec_.input.files, options, timeline_.get());
 }
 
 bool needsNeighbors(const view::ViewSpec& spec)
@@ -142,35 +111,35 @@ bool hasCheckedIds(const grid::Block& block)
 	return !cells || !cells->list() || cells->list()->has_checked_ids;
 }
 
+} // namespace
+
 // Replaces the blocks when all of them are complete. They share what does not change.
-Status buildNeighborsOfCopy(Session& session)
+Status Session::buildNeighborsOfCopy()
 {
-	grid::BlockSet blocks = session.blocks;
-	read::buildNeighbors(blocks, session.timeline.get());
-	session.cutter.reset();
-	session.blocks = std::move(blocks);
+	grid::BlockSet blocks = blocks_;
+	read::buildNeighbors(blocks, timeline_.get());
+	cutter_.reset();
+	blocks_ = std::move(blocks);
 	return Nothing{};
 }
-
-} // namespace
 
 Status Session::buildNeighbors(const std::stop_token& stop)
 try
 {
-	if (grid::isComplete(blocks))
+	if (grid::isComplete(blocks_))
 		return Nothing{};
 	{
 		const Progress progress("finding neighbors");
-		if (stop.stop_possible() || !std::ranges::all_of(blocks.blocks, hasCheckedIds)) // it may fail
+		if (stop.stop_possible() || !std::ranges::all_of(blocks_.blocks, hasCheckedIds)) // it may fail
 		{
-			const auto build = [&] { return buildNeighborsOfCopy(*this); };
+			const auto build = [&] { return buildNeighborsOfCopy(); };
 			if (Status built = endingOnRequest(stop, "finding neighbors", build); !built)
 				return built;
 		}
 		else
 		{
-			cutter.reset();
-			read::buildNeighbors(blocks, timeline.get());
+			cutter_.reset();
+			read::buildNeighbors(blocks_, timeline_.get());
 		}
 	}
 	return makeCutter();
@@ -182,34 +151,108 @@ catch (const grid::WrongPoint& wrong)
 
 Status Session::takeNeighbors(grid::BlockSet built)
 {
-	for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
-		built.blocks[b].fields = std::move(blocks.blocks[b].fields);
-	cutter.reset();
-	blocks = std::move(built);
+	for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
+		built.blocks[b].fields = std::move(blocks_.blocks[b].fields);
+	cutter_.reset();
+	blocks_ = std::move(built);
 	return makeCutter();
 }
 
+// auto takes what is faster on the fronts to come, which was measured on a part of the grid: all sheets go to the
+// device at once, and a plane cuts some N^(2/3) of N cells. Chosen once, since a device must be given the whole grid
+// first.
+bool Session::classifiesOnGpu()
+{
+	const view::Classify asked = spec_.machine.classify;
+	if (!ranks_.mayUseDevice() || !device_ || asked == view::Classify::cpu || leavesDeviceIdle(spec_.probe) ||
+	    !grid::hasNeighbors(blocks_))
+		return false;
+	if (asked == view::Classify::gpu)
+		return true;
+	if (device_->isSoftware())
+		return false;
+	if (!break_even_)
+	{
+		const TimedSection section(timeline_.get(), "upload");
+		const Result<classify::BreakEven> measured = classify::measureBreakEven(*device_, blocks_);
+		if (!measured)
+			warn("{}; the CPU classifies instead", measured.error().message);
+		break_even_ = measured ? *measured : classify::BreakEven{};
+	}
+	const double front =
+	    static_cast<double>(view_.probe.sheets.size()) * std::pow(static_cast<double>(blocks_.cellCount()), 2.0 / 3.0);
+	return break_even_->cells && static_cast<double>(*break_even_->cells) <= front;
+}
+
+// Makes a cutter for the blocks that are there now. Frames that were made before become invalid.
 Status Session::makeCutter()
 {
-	++stamp.cells;
-	ranks.forgetBorders();
-	if (!classifiesOnGpu(*this))
+	++stamp_.cells;
+	ranks_.forgetBorders();
+	if (!classifiesOnGpu())
 	{
-		cutter = std::make_unique<cut::Cutter>(blocks);
+		cutter_ = std::make_unique<cut::Cutter>(blocks_);
 		return Nothing{};
 	}
 	const Progress progress("uploading");
-	Result<std::unique_ptr<cut::Cutter>> made = cut::Cutter::onDevice(*device, blocks, view.field, timeline.get());
+	Result<std::unique_ptr<cut::Cutter>> made = cut::Cutter::onDevice(*device_, blocks_, view_.field, timeline_.get());
 	if (!made)
 		return made.error();
-	cutter = std::move(*made);
+	cutter_ = std::move(*made);
 	return Nothing{};
+}
+
+void Session::takeNewValues()
+{
+	++stamp_.values;
+	cutter_->forgetValues();
+	finite_fields_ = std::make_unique<measure::FiniteFields>();
 }
 
 void Session::forgetValues()
 {
-	++stamp.values;
-	cutter->forgetValues();
+	takeNewValues();
+	launch_.fastest.reset();
+	is_resolved_ = false; // the step of particles follows from the values
+}
+
+Status Session::replaceFields(std::vector<std::vector<grid::Field>> fields)
+{
+	for (std::size_t b = 0; b < fields.size(); ++b)
+		grid::replaceFields(blocks_.blocks[b], std::move(fields[b]));
+	// What was resolved may name fields that are gone.
+	if (Status resolved = resolve({.input = spec_.input, .machine = spec_.machine}); !resolved)
+		return resolved;
+	forgetValues();
+	return Nothing{};
+}
+
+Status Session::openDevice()
+{
+	if (device_)
+		return Nothing{};
+	Result<OpenedDevice> opened = session::openDevice(spec_, DeviceUse::draw).get();
+	if (!opened)
+		return opened.error();
+	device_ = std::move(opened->device);
+	renderer_ = std::move(opened->renderer);
+	return Nothing{};
+}
+
+Status Session::takeDevice(std::shared_ptr<gpu::Device> device)
+{
+	renderer_.reset();
+	cutter_.reset();
+	break_even_.reset();
+	device_ = std::move(device);
+	return makeCutter();
+}
+
+Result<render::Renderer> Session::takeRenderer()
+{
+	Result<render::Renderer> taken = renderer_ ? std::move(*renderer_) : render::Renderer::create(*device_);
+	renderer_.reset();
+	return taken;
 }
 
 namespace
@@ -236,29 +279,29 @@ bool resolveAlike(const view::ViewSpec& a, const view::ViewSpec& b)
 
 } // namespace
 
-Status Session::set(view::ViewSpec other)
+Status Session::set(view::ViewSpec spec)
 {
-	if (!cutAlike(spec, other))
-		++stamp.settings;
-	if (is_resolved && resolveAlike(spec, other))
+	if (!cutAlike(spec_, spec))
+		++stamp_.settings;
+	if (is_resolved_ && resolveAlike(spec_, spec))
 	{
-		spec = std::move(other);
+		spec_ = std::move(spec);
 		return Nothing{};
 	}
-	++stamp.place;
-	return resolveAgain(*this, std::move(other));
+	++stamp_.place;
+	return resolve(std::move(spec));
 }
 
-Status resolveAgain(Session& session, view::ViewSpec spec)
+Status Session::resolve(view::ViewSpec spec)
 {
-	session.is_resolved = false;
-	Result<view::ResolvedView> view = view::resolve(spec, session.blocks);
+	is_resolved_ = false;
+	Result<view::ResolvedView> view = view::resolve(spec, blocks_);
 	if (!view)
 		return view.error();
-	session.spec = std::move(spec);
-	session.view = std::move(*view);
-	const Status prepared = prepareLaunch(session);
-	session.is_resolved = bool(prepared);
+	spec_ = std::move(spec);
+	view_ = std::move(*view);
+	const Status prepared = prepareLaunch();
+	is_resolved_ = bool(prepared);
 	return prepared;
 }
 
@@ -274,132 +317,114 @@ bool asksForGenerations(const view::ViewSpec& spec)
 // A device that was asked for by name goes by generations, as the paper does.
 bool asksForDevice(const Session& session)
 {
-	return session.spec.machine.classify == view::Classify::gpu && session.device &&
-	       !leavesDeviceIdle(session.spec.probe);
+	return session.spec().machine.classify == view::Classify::gpu && session.device() &&
+	       !leavesDeviceIdle(session.spec().probe);
 }
 
 } // namespace
 
 cut::CutRequest Session::cutRequest(const FrameRequest& request) const
 {
-	const view::MachineSpec& machine = spec.machine;
-	const bool in_generations = asksForGenerations(spec);
+	const view::MachineSpec& machine = spec_.machine;
+	const bool in_generations = asksForGenerations(spec_);
 	// For a device few generations are wanted; where the traversal is asked for by name it goes as the paper has it.
-	seed::SeedOptions seeds = view.seeds;
-	seeds.lattice = cutter->usesGpu() && !in_generations && machine.strategy != find::Strategy::generations;
-	probe::Probe probe = view.probe;
+	seed::SeedOptions seeds = view_.seeds;
+	seeds.lattice = cutter_->usesGpu() && !in_generations && machine.strategy != find::Strategy::generations;
+	probe::Probe probe = view_.probe;
 	if (request.pose)
 		probe.frame = *request.pose;
 	return {.probe = std::move(probe),
-	        .corners = view.corners,
-	        .hanging = view.hanging,
-	        .field = view.field,
-	        .sheet_fields = view.sheet_fields,
+	        .corners = view_.corners,
+	        .hanging = view_.hanging,
+	        .field = view_.field,
+	        .sheet_fields = view_.sheet_fields,
 	        .seeds = seeds,
-	        .threshold = view.threshold,
+	        .threshold = view_.threshold,
 	        .in_generations = in_generations,
 	        .device_first = asksForDevice(*this),
 	        .strategy = machine.strategy,
 	        .another_follows = request.expect == Expect::more,
 	        .visited = machine.visited.value_or(find::VisitedSet::stamps),
-	        .surface = view::listedSurface(view.surface, request.done),
+	        .surface = view::listedSurface(view_.surface, request.done),
 	        .last = nullptr,
-	        .timeline = timeline.get()};
+	        .timeline = timeline_.get()};
 }
 
-namespace
+Result<grid::BlockSet> Session::readBlocks(const OpenOptions& options)
 {
-
-Result<grid::BlockSet> readBlocks(Session& session, const OpenOptions& options)
-{
-	const view::ViewSpec& spec = session.spec;
-	const Progress progress(fmt::format("reading {}", fmt::join(spec.input.files, ", ")));
-	read::ReadOptions reading = readOptions(session, spec.input.time);
-	reading.identifies_geometry = options.reads_again || spec.probe.vectors.path_lines;
+	const Progress progress(fmt::format("reading {}", fmt::join(spec_.input.files, ", ")));
+	read::ReadOptions reading = readOptions(spec_.input.time);
+	reading.identifies_geometry = options.reads_again || spec_.probe.vectors.path_lines;
 	reading.stop = options.stop;
-	const bool needs_neighbors = options.expect == Expect::more || needsNeighbors(spec);
+	const bool needs_neighbors = options.expect == Expect::more || needsNeighbors(spec_);
 	reading.builds_neighbors = needs_neighbors && options.ranks.buildsWhileReading();
-	reading.for_one_cut = !needs_neighbors && options.expect == Expect::one_cut && servesOneCut(spec);
-	return readInputs(session, reading);
+	reading.for_one_cut = !needs_neighbors && options.expect == Expect::one_cut && servesOneCut(spec_);
+	return readInputs(reading);
 }
 
-// The session with blocks by `take`, while the device opens.
+// Makes a session with the blocks that `take` gives, while the device opens.
 template <class Take>
-Result<std::unique_ptr<Session>> makeSession(view::ViewSpec spec, OpenOptions options, Take&& take)
+Result<std::unique_ptr<Session>> Session::make(view::ViewSpec spec, OpenOptions options, Take&& take)
 {
 	limitThreads(spec.machine.threads);
-	auto session = std::make_unique<Session>();
-	session->timeline = std::make_unique<Timeline>(options.keep);
-	session->reads_all_arrays = options.reads_all_arrays;
-	session->spec = std::move(spec);
+	std::unique_ptr<Session> session(new Session());
+	session->timeline_ = std::make_unique<Timeline>(options.keep);
+	session->reads_all_arrays_ = options.reads_all_arrays;
+	session->spec_ = std::move(spec);
 	// What can be wrong with the settings is told before a large file is read.
-	if (Status fits = view::validate(session->spec); !fits)
+	if (Status fits = view::validate(session->spec_); !fits)
 		return fits.error();
-	session->ranks = options.ranks;
-	if (Status fits = ranks::canCarryOut(session->ranks, session->spec); !fits)
+	session->ranks_ = options.ranks;
+	if (Status fits = ranks::canCarryOut(session->ranks_, session->spec_); !fits)
 		return fits.error();
 	std::future<Result<OpenedDevice>> opening;
 	if (!options.device)
-		opening = openDevice(session->spec, options.use);
+		opening = session::openDevice(session->spec_, options.use);
 	Result<grid::BlockSet> blocks = endingOnRequest(options.stop, "opening", [&] { return take(*session); });
 	if (!blocks)
 		return blocks.error();
-	session->blocks = std::move(*blocks);
-	session->device = std::move(options.device);
-	if (Status resolved = resolveAgain(*session, session->spec); !resolved)
+	session->blocks_ = std::move(*blocks);
+	session->device_ = std::move(options.device);
+	if (Status resolved = session->resolve(session->spec_); !resolved)
 		return resolved.error();
 	if (opening.valid())
 	{
 		Result<OpenedDevice> opened = opening.get();
 		if (!opened)
 			return opened.error();
-		session->device = std::move(opened->device);
-		session->renderer = std::move(opened->renderer);
+		session->device_ = std::move(opened->device);
+		session->renderer_ = std::move(opened->renderer);
 	}
 	if (Status made = session->makeCutter(); !made)
 		return made.error();
 	const auto plan = session->plan({.expect = Expect::first_of_many});
 	const bool is_joined =
-	    !session->ranks.buildsWhileReading() && (options.expect == Expect::more || needsNeighbors(session->spec));
+	    !session->ranks_.buildsWhileReading() && (options.expect == Expect::more || needsNeighbors(session->spec_));
 	if (is_joined || (plan && plan->needs_neighbors))
 		if (Status built = session->buildNeighbors(options.stop); !built)
 			return built.error();
 	return session;
 }
 
-} // namespace
-
-Result<std::unique_ptr<Session>> openSession(view::ViewSpec spec, OpenOptions options)
+Result<std::unique_ptr<Session>> Session::open(view::ViewSpec spec, OpenOptions options)
 {
-	return makeSession(std::move(spec), options, [&](Session& session) { return readBlocks(session, options); });
+	return make(std::move(spec), options, [&](Session& session) { return session.readBlocks(options); });
 }
 
-Result<std::unique_ptr<Session>> sessionOf(grid::BlockSet blocks, view::ViewSpec spec, OpenOptions options)
+Result<std::unique_ptr<Session>> Session::of(grid::BlockSet blocks, view::ViewSpec spec, OpenOptions options)
 {
-	return makeSession(std::move(spec), std::move(options),
-	                   [&](const Session&) -> Result<grid::BlockSet> { return std::move(blocks); });
-}
-
-Status drawOn(Session& session)
-{
-	if (session.device)
-		return Nothing{};
-	Result<OpenedDevice> opened = openDevice(session.spec, DeviceUse::draw).get();
-	if (!opened)
-		return opened.error();
-	session.device = std::move(opened->device);
-	session.renderer = std::move(opened->renderer);
-	return Nothing{};
+	return make(std::move(spec), std::move(options),
+	            [&](const Session&) -> Result<grid::BlockSet> { return std::move(blocks); });
 }
 
 Result<cut::Cut> Session::cut(const FrameRequest& request, std::shared_ptr<const cut::Cut> last, std::stop_token stop)
 {
-	if (spec.machine.strategy)
+	if (spec_.machine.strategy)
 		if (const Result<find::CutPlan> possible = plan(request); !possible)
 			return possible.error();
 	cut::CutRequest asked = cutRequest(request);
 	asked.last = std::move(last);
-	Result<cut::Cut> cut = ranks::carryOut(ranks, *cutter, std::move(asked), stop);
+	Result<cut::Cut> cut = ranks::carryOut(ranks_, *cutter_, std::move(asked), stop);
 	if (stop.stop_requested())
 		return Error{ErrorKind::cancelled, "cutting was cancelled"};
 	return cut;
@@ -407,7 +432,7 @@ Result<cut::Cut> Session::cut(const FrameRequest& request, std::shared_ptr<const
 
 Result<find::CutPlan> Session::plan(const FrameRequest& request) const
 {
-	Result<find::CutPlan> plan = cutter->plan(cutRequest(request));
+	Result<find::CutPlan> plan = cutter_->plan(cutRequest(request));
 	if (!plan)
 		return Error{plan.error().kind, fmt::format("`strategy` {}", plan.error().message)};
 	return plan;
@@ -415,16 +440,16 @@ Result<find::CutPlan> Session::plan(const FrameRequest& request) const
 
 Result<bool> Session::needsNeighborsFor(const FrameRequest& request) const
 {
-	if (grid::isComplete(blocks))
+	if (grid::isComplete(blocks_))
 		return false;
 	const Result<find::CutPlan> planned = plan(request);
 	if (!planned)
 		return planned.error();
 	// Structured blocks have neighbors by themselves. What they may lack are folds and seams, which one cut does
 	// without.
-	const bool does_without = grid::hasNeighbors(blocks) ? request.expect == Expect::one_cut && servesOneCut(spec)
-	                                                     : !planned->needs_neighbors;
-	return !does_without || needsNeighbors(spec);
+	const bool does_without = grid::hasNeighbors(blocks_) ? request.expect == Expect::one_cut && servesOneCut(spec_)
+	                                                      : !planned->needs_neighbors;
+	return !does_without || needsNeighbors(spec_);
 }
 
 Status Session::prepareFor(const FrameRequest& request, const std::stop_token& stop)
@@ -437,9 +462,9 @@ Status Session::prepareFor(const FrameRequest& request, const std::stop_token& s
 
 const char* classifierName(const Session& session)
 {
-	return !session.cutter->usesGpu()                                     ? "cpu"
-	       : session.cutter->blocksOnGpu() < session.blocks.blocks.size() ? "mixed"
-	                                                                      : "gpu";
+	return !session.cutter().usesGpu()                                       ? "cpu"
+	       : session.cutter().blocksOnGpu() < session.blocks().blocks.size() ? "mixed"
+	                                                                         : "gpu";
 }
 
 } // namespace vp::session

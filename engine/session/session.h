@@ -18,24 +18,24 @@
 #include <optional>
 #include <stop_token>
 #include <utility>
+#include <vector>
 
 namespace vp::session
 {
 
 // A session is a data set, its settings, and what cuts it:
 //
-//     openSession     validates the settings, reads the inputs, opens a device, resolves, makes a cutter
-//     Session::set    changes the settings
-//     Session::goTo   moves to another time of the inputs
-//     Session::frame  plans, finds the cut cells, builds polygons, launches particles, measures, grows contours
-//     picture::Painter draws a frame                                                         picture/painter.h
-//     write           polygons, flat pictures, pictures, films                               picture/plane_pictures.h,
-//     write/
+//     open()   validates the settings, reads the inputs, opens a device, resolves, makes a cutter
+//     set()    changes the settings
+//     goTo()   moves to another time of the inputs
+//     frame()  plans, finds the cut cells, builds polygons, launches particles, measures, grows contours
 //
-// Every program makes its frames by Session::frame(), so all of them find the same cells in the same way.
+// picture::Painter draws a frame, and write/ writes it.
+//
+// Every program makes its frames by frame(), so all of them find the same cells in the same way.
 //
 // Only one thread at a time may use a session. A thread may draw a frame while another makes the next one, unless
-// Session::needsNeighborsFor() says that the blocks will change.
+// needsNeighborsFor() says that the blocks will change.
 
 /// What launching particles needs besides the settings.
 struct LaunchState
@@ -85,83 +85,6 @@ struct FrameRequest
 	bool isPlacedAs(const FrameRequest& other) const { return pose == other.pose && done == other.done; }
 };
 
-/// A data set, its settings, and what cuts and draws it. The cutter refers to the blocks. The device serves the cutter
-/// and the drawing.
-struct Session
-{
-	/// Takes other settings for the same blocks: all settings except those of input and machine.
-	Status set(view::ViewSpec spec);
-
-	/// Makes a frame. It builds the neighbors of cells first if needsNeighborsFor() says so. If nothing has changed
-	/// since the last frame, it returns that one. All ranks call it together. A stop request ends it with
-	/// ErrorKind::cancelled.
-	Result<std::shared_ptr<const Frame>> frame(const FrameRequest& request, std::stop_token stop = {});
-
-	/// Returns how frame() would find the cells. If the strategy of the settings is impossible, returns a usage error
-	/// that names `strategy`. Without a request: how the cells of the last frame were found.
-	Result<find::CutPlan> plan(const FrameRequest& request) const;
-	Result<find::CutPlan> plan() const { return plan({.expect = expected}); }
-
-	/// Returns true if the blocks lack what frame() needs for a request. Then frame() builds it, cells may get other
-	/// numbers, and frames that were made before become invalid.
-	Result<bool> needsNeighborsFor(const FrameRequest& request) const;
-
-	/// Builds what the blocks lack for further cuts (grid::isComplete), such as neighbors of cells, and a new cutter.
-	/// Frames that were made before become invalid. A stop request ends it with ErrorKind::cancelled, and leaves all as
-	/// it was.
-	Status buildNeighbors(const std::stop_token& stop = {});
-
-	/// Takes blocks like its own for which somebody else has built the neighbors, but keeps its own values.
-	Status takeNeighbors(grid::BlockSet built);
-
-	/// Moves to a time of the inputs. If only the values differ there, a frame with `last` keeps the cells that it
-	/// found. If the grid differs, it is read and built again, and frames that were made before become invalid.
-	Status goTo(const read::TimeChoice& time);
-
-	/// Makes a cutter for the blocks that the session has now. Frames that were made before become invalid.
-	Status makeCutter();
-
-	/// The values of the blocks have changed.
-	void forgetValues();
-
-	/// Counts the changes of what a frame is made of. Equal numbers mean that nothing has changed.
-	struct Stamp
-	{
-		std::uint64_t grid = 0;     // blocks were read anew
-		std::uint64_t cells = 0;    // the same, or cells have got neighbors and other numbers
-		std::uint64_t values = 0;   // values in the blocks
-		std::uint64_t settings = 0; // other settings than the place of the probe and its look
-		std::uint64_t place = 0;    // place of the probe
-
-		bool operator==(const Stamp&) const = default;
-	};
-	Stamp stamp;
-	Expect expected = Expect::first_of_many; // of the last frame
-	bool is_resolved = false;                // the resolved settings are those of the settings
-
-	view::ViewSpec spec;
-	view::ResolvedView view;
-	grid::BlockSet blocks;
-	LaunchState launch;
-	bool reads_all_arrays = true;                  // read all arrays whenever the inputs are read
-	std::shared_ptr<gpu::Device> device;           // null if the CPU needs no device
-	std::optional<render::Renderer> renderer;      // made while the inputs were read; the first painter takes it
-	std::optional<classify::BreakEven> break_even; // measured if a device may classify
-	std::unique_ptr<cut::Cutter> cutter;
-	std::unique_ptr<measure::FiniteFields> finite_fields = std::make_unique<measure::FiniteFields>();
-	std::unique_ptr<Timeline> timeline;
-	// The processes that hold the blocks together. The blocks of others have no cells here. Functions that say so must
-	// be called by all of them.
-	ranks::Ranks ranks = ranks::Ranks::alone();
-
-private:
-	Status prepareFor(const FrameRequest& request, const std::stop_token& stop);
-	const Frame* usableLast(const FrameRequest& request) const;
-	Result<cut::Cut> find(const FrameRequest& request, const Frame* last, const std::stop_token& stop);
-	Result<cut::Cut> cut(const FrameRequest& request, std::shared_ptr<const cut::Cut> last, std::stop_token stop);
-	cut::CutRequest cutRequest(const FrameRequest& request) const;
-};
-
 /// How to open a session, besides the settings.
 struct OpenOptions
 {
@@ -175,27 +98,126 @@ struct OpenOptions
 	ranks::Ranks ranks = ranks::Ranks::alone(); // the processes that hold the inputs together
 };
 
-/// Validates the settings, reads the inputs and prepares the rest. A caller writes nothing before this has succeeded.
-Result<std::unique_ptr<Session>> openSession(view::ViewSpec spec, OpenOptions options);
+/// A data set, its settings, and what cuts and draws it. The cutter refers to the blocks. The device serves the cutter
+/// and the drawing.
+class Session
+{
+public:
+	/// Validates the settings, reads the inputs and prepares the rest. A caller writes nothing before this has
+	/// succeeded.
+	static Result<std::unique_ptr<Session>> open(view::ViewSpec spec, OpenOptions options);
+	/// The same for blocks that the caller has. Nothing is read; the input in the settings is only a name.
+	static Result<std::unique_ptr<Session>> of(grid::BlockSet blocks, view::ViewSpec spec, OpenOptions options);
 
-/// The same for blocks that the caller has. Nothing is read; the input in the settings is only a name.
-Result<std::unique_ptr<Session>> sessionOf(grid::BlockSet blocks, view::ViewSpec spec, OpenOptions options);
+	/// Takes other settings for the same blocks: all settings except those of input and machine.
+	Status set(view::ViewSpec spec);
 
-/// Opens a device to draw with, unless the session has one.
-Status drawOn(Session& session);
+	/// Moves to a time of the inputs. If only the values differ there, a frame with `last` keeps the cells that it
+	/// found. If the grid differs, it is read and built again, and frames that were made before become invalid.
+	Status goTo(const read::TimeChoice& time);
 
-/// Resolves settings for the blocks of a session, as Session::set() does, even if they have not changed. For blocks
-/// with other arrays.
-Status resolveAgain(Session& session, view::ViewSpec spec);
+	/// Makes a frame. It builds the neighbors of cells first if needsNeighborsFor() says so. If nothing has changed
+	/// since the last frame, it returns that one. All ranks call it together. A stop request ends it with
+	/// ErrorKind::cancelled.
+	Result<std::shared_ptr<const Frame>> frame(const FrameRequest& request, std::stop_token stop = {});
+
+	/// Returns how frame() would find the cells. If the strategy of the settings is impossible, returns a usage error
+	/// that names `strategy`. Without a request: how the cells of the last frame were found.
+	Result<find::CutPlan> plan(const FrameRequest& request) const;
+	Result<find::CutPlan> plan() const { return plan({.expect = expected_}); }
+
+	/// Returns true if the blocks lack what frame() needs for a request. Then frame() builds it, cells may get other
+	/// numbers, and frames that were made before become invalid.
+	Result<bool> needsNeighborsFor(const FrameRequest& request) const;
+
+	/// Builds what the blocks lack for further cuts (grid::isComplete), such as neighbors of cells, and a new cutter.
+	/// Frames that were made before become invalid. A stop request ends it with ErrorKind::cancelled, and leaves all as
+	/// it was.
+	Status buildNeighbors(const std::stop_token& stop = {});
+	/// Takes blocks like its own for which somebody else has built the neighbors, but keeps its own values.
+	Status takeNeighbors(grid::BlockSet built);
+
+	/// Takes other arrays for its blocks: fields[block]. The probe's settings become those of a new view.
+	Status replaceFields(std::vector<std::vector<grid::Field>> fields);
+	/// Call this when the values in the blocks have changed.
+	void forgetValues();
+
+	/// Opens a device to draw with, unless there is one.
+	Status openDevice();
+	/// Takes a device to draw and to classify with; null takes none. Frames that were made before become invalid.
+	Status takeDevice(std::shared_ptr<gpu::Device> device);
+	/// Returns a renderer for the device, once the one that was made while the inputs were read.
+	Result<render::Renderer> takeRenderer();
+
+	/// Counts the changes of what a frame is made of. Equal numbers mean that nothing has changed.
+	struct Stamp
+	{
+		std::uint64_t grid = 0;     // blocks were read anew
+		std::uint64_t cells = 0;    // the same, or cells have got neighbors and other numbers
+		std::uint64_t values = 0;   // values in the blocks
+		std::uint64_t settings = 0; // other settings than the place of the probe and its look
+		std::uint64_t place = 0;    // place of the probe
+
+		bool operator==(const Stamp&) const = default;
+	};
+	const Stamp& stamp() const { return stamp_; }
+
+	const view::ViewSpec& spec() const { return spec_; }
+	const view::ResolvedView& view() const { return view_; }
+	const grid::BlockSet& blocks() const { return blocks_; }
+	const LaunchState& launch() const { return launch_; }
+	const std::shared_ptr<gpu::Device>& device() const { return device_; } // null if the CPU needs no device
+	/// What was measured if a device may classify: from how many cells on it is faster.
+	const std::optional<classify::BreakEven>& breakEven() const { return break_even_; }
+	cut::Cutter& cutter() const { return *cutter_; }
+	measure::FiniteFields* finiteFields() const { return finite_fields_.get(); }
+	Timeline* timeline() const { return timeline_.get(); }
+	/// The processes that hold the blocks together. The blocks of others have no cells here. Functions that say so must
+	/// be called by all of them.
+	const ranks::Ranks& ranks() const { return ranks_; }
+	ranks::Ranks& ranks() { return ranks_; }
+
+private:
+	Session() = default;
+	template <class Take>
+	static Result<std::unique_ptr<Session>> make(view::ViewSpec spec, OpenOptions options, Take&& take);
+	Result<grid::BlockSet> readBlocks(const OpenOptions& options);
+	Result<grid::BlockSet> readInputs(const read::ReadOptions& options);
+	read::ReadOptions readOptions(const read::TimeChoice& time) const;
+	Status readAnew(read::ReadOptions at);
+	Status resolve(view::ViewSpec spec);
+	Status prepareLaunch();
+	void takeNewValues();
+	void takeTime(const read::TimeChoice& time);
+	void takeValuesAt(const read::TimeChoice& time);
+	bool classifiesOnGpu();
+	Status makeCutter();
+	Status buildNeighborsOfCopy();
+	Status prepareFor(const FrameRequest& request, const std::stop_token& stop);
+	const Frame* usableLast(const FrameRequest& request) const;
+	Result<cut::Cut> find(const FrameRequest& request, const Frame* last, const std::stop_token& stop);
+	Result<cut::Cut> cut(const FrameRequest& request, std::shared_ptr<const cut::Cut> last, std::stop_token stop);
+	cut::CutRequest cutRequest(const FrameRequest& request) const;
+
+	view::ViewSpec spec_;
+	view::ResolvedView view_;
+	bool is_resolved_ = false; // the view is that of the settings
+	grid::BlockSet blocks_;
+	bool reads_all_arrays_ = true; // read all arrays whenever the inputs are read
+	LaunchState launch_;
+	Stamp stamp_;
+	Expect expected_ = Expect::first_of_many; // of the last frame
+	std::shared_ptr<gpu::Device> device_;
+	std::optional<render::Renderer> renderer_; // made while the inputs were read; the first painter takes it
+	std::optional<classify::BreakEven> break_even_;
+	std::unique_ptr<cut::Cutter> cutter_;
+	std::unique_ptr<measure::FiniteFields> finite_fields_ = std::make_unique<measure::FiniteFields>();
+	std::unique_ptr<Timeline> timeline_;
+	ranks::Ranks ranks_ = ranks::Ranks::alone();
+};
 
 /// Returns the options that read the inputs at a time, with all arrays.
 read::ReadOptions readOptions(const view::ViewSpec& spec, const read::TimeChoice& time);
-
-/// Returns the options that read the inputs of a session at another time.
-read::ReadOptions readOptions(const Session& session, const read::TimeChoice& time);
-
-/// Reads the inputs of a session: all of them, or the share of this rank.
-Result<grid::BlockSet> readInputs(Session& session, const read::ReadOptions& options);
 
 /// Returns true if the settings need neighbors, whatever a plan says: for whole cells, vectors, grid surfaces,
 /// contours, or surfaces around the sheets.

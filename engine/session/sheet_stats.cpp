@@ -11,14 +11,14 @@ Result<SheetStats> sheetMesh(const Session& session, const cut::Cut& slice, std:
 {
 	SheetStats stats;
 	{
-		const TimedSection section(session.timeline.get(), "emit");
-		stats.mesh = slice.mesh(session.blocks, sheet);
-		const grid::BlockSet& blocks = slice.blocksOf(session.blocks);
-		stats.borders = ranks::joinBorders(session.ranks, blocks, slice.sheets[sheet].cuts, stats.mesh);
-		if (session.view.crinkle)
-			stats.crinkle = slice.crinkle(session.blocks, sheet, stats.borders.cells_elsewhere);
+		const TimedSection section(session.timeline(), "emit");
+		stats.mesh = slice.mesh(session.blocks(), sheet);
+		const grid::BlockSet& blocks = slice.blocksOf(session.blocks());
+		stats.borders = ranks::joinBorders(session.ranks(), blocks, slice.sheets[sheet].cuts, stats.mesh);
+		if (session.view().crinkle)
+			stats.crinkle = slice.crinkle(session.blocks(), sheet, stats.borders.cells_elsewhere);
 		if (stats.crinkle)
-			stats.crinkle_borders = ranks::joinWholeCells(session.ranks, blocks, *stats.crinkle);
+			stats.crinkle_borders = ranks::joinWholeCells(session.ranks(), blocks, *stats.crinkle);
 	}
 	if (stats.borders.hangs || stats.crinkle_borders.hangs)
 		return ranks::sizesDiffer();
@@ -31,25 +31,25 @@ Result<SheetStats> sheetMesh(const Session& session, const cut::Cut& slice, std:
 
 void measureSheet(const Session& session, const cut::Cut& slice, std::size_t sheet, SheetStats& stats)
 {
-	const TimedSection section(session.timeline.get(), "measure");
+	const TimedSection section(session.timeline(), "measure");
 	const std::optional<grid::FieldChoice>& field = slice.sheets[sheet].field;
-	const grid::BlockSet& blocks = slice.blocksOf(session.blocks);
-	stats.measure = measure::measureOf(ranks::sumUp(session.ranks, blocks, stats.mesh, field), field.has_value());
-	stats.measure.components = ranks::componentsOf(session.ranks, stats.borders, stats.mesh);
+	const grid::BlockSet& blocks = slice.blocksOf(session.blocks());
+	stats.measure = measure::measureOf(ranks::sumUp(session.ranks(), blocks, stats.mesh, field), field.has_value());
+	stats.measure.components = ranks::componentsOf(session.ranks(), stats.borders, stats.mesh);
 	if (stats.crinkle)
-		stats.crinkle_area = measure::measureOf(ranks::sumUp(session.ranks, blocks, *stats.crinkle, {}), false).area;
+		stats.crinkle_area = measure::measureOf(ranks::sumUp(session.ranks(), blocks, *stats.crinkle, {}), false).area;
 	stats.flux = fluxThrough(session, slice, sheet, stats.mesh);
 }
 
 void measureForPicture(const Session& session, const cut::Cut& slice, std::size_t sheet, SheetStats& stats)
 {
-	if (session.spec.look.range_of == view::RangeOf::slice)
+	if (session.spec().look.range_of == view::RangeOf::slice)
 		return measureSheet(session, slice, sheet, stats);
-	const TimedSection section(session.timeline.get(), "measure");
+	const TimedSection section(session.timeline(), "measure");
 	// Arrays of refined cells are new in each cut.
-	measure::FiniteFields* known = slice.refined ? nullptr : session.finite_fields.get();
-	stats.measure.nan_area = session.ranks.sum(
-	    measure::nanArea(slice.blocksOf(session.blocks), stats.mesh, slice.sheets[sheet].field, known),
+	measure::FiniteFields* known = slice.refined ? nullptr : session.finiteFields();
+	stats.measure.nan_area = session.ranks().sum(
+	    measure::nanArea(slice.blocksOf(session.blocks()), stats.mesh, slice.sheets[sheet].field, known),
 	    [](double& sum, double other) { sum += other; });
 }
 

@@ -25,10 +25,9 @@ bool hasVectors(const grid::BlockSet& blocks, const grid::FieldChoice& array)
 }
 
 // The fastest particle goes as far as the lattice's points are apart.
-void takeStep(Session& session)
+void takeStep(const Session& session, LaunchState& launch)
 {
-	const view::LaunchChoice& choice = *session.view.launch;
-	LaunchState& launch = session.launch;
+	const view::LaunchChoice& choice = *session.view().launch;
 	if (choice.dt)
 	{
 		launch.dt = *choice.dt;
@@ -40,75 +39,73 @@ void takeStep(Session& session)
 	launch.dt = std::isfinite(dt) && dt > 0.0 ? dt : 1.0;
 }
 
-void takeTime(const read::TimeChoice& time, Session& session)
+// Returns an error if path lines that are launched now have no time to go to.
+Status requireTimeToGo(const LaunchState& launch, vectors::Direction direction)
 {
-	const std::vector<double>& times = session.blocks.times;
-	session.launch.time = times.empty() ? 0.0 : times[read::timeIndex(times, time)];
-}
-
-// Of path lines, which are launched now.
-Status requireTimeToGo(const Session& session)
-{
-	const std::vector<double>& times = session.launch.stored->times;
-	const vectors::Direction direction = session.view.launch->direction;
-	if (direction == vectors::Direction::forward && session.launch.time >= times.back())
+	const std::vector<double>& times = launch.stored->times;
+	if (direction == vectors::Direction::forward && launch.time >= times.back())
 		return Error{ErrorKind::usage,
 		             "`path_lines`: after the last time nothing is known; launch at `time` first, or go "
 		             "`vector_direction` backward"};
-	if (direction == vectors::Direction::backward && session.launch.time <= times.front())
+	if (direction == vectors::Direction::backward && launch.time <= times.front())
 		return Error{ErrorKind::usage,
 		             "`path_lines`: before the first time nothing is known; launch at `time` last, or go "
 		             "`vector_direction` forward"};
 	return Nothing{};
 }
 
-Status preparePathLines(Session& session)
-{
-	Result<vectors::StoredVectors> stored = storedVectors(session, session.view.launch->array);
-	if (!stored)
-		return stored.error();
-	session.launch.stored = std::move(*stored);
-	takeTime(session.view.time, session);
-	return requireTimeToGo(session);
-}
-
 } // namespace
 
-Status prepareLaunch(Session& session)
+void Session::takeTime(const read::TimeChoice& time)
 {
-	session.launch.stored.reset();
-	if (!session.view.launch)
-		return Nothing{};
-	takeStep(session);
-	return session.view.launch->path_lines ? preparePathLines(session) : Nothing{};
+	launch_.time = blocks_.times.empty() ? 0.0 : blocks_.times[read::timeIndex(blocks_.times, time)];
 }
 
-void takeValuesAt(const read::TimeChoice& time, Session& session)
+// Finds the time of a step, and opens vectors of other times. The fastest particle of an array is looked up once, until
+// the values change.
+Status Session::prepareLaunch()
 {
-	takeTime(time, session);
-	session.launch.fastest.reset();
-	if (session.view.launch)
-		takeStep(session);
+	launch_.stored.reset();
+	if (!view_.launch)
+		return Nothing{};
+	takeStep(*this, launch_);
+	if (!view_.launch->path_lines)
+		return Nothing{};
+	Result<vectors::StoredVectors> stored = storedVectors(*this, view_.launch->array);
+	if (!stored)
+		return stored.error();
+	launch_.stored = std::move(*stored);
+	takeTime(view_.time);
+	return requireTimeToGo(launch_, view_.launch->direction);
+}
+
+// The arrays hold the values of another time. If the settings give no step, the step follows the new values.
+void Session::takeValuesAt(const read::TimeChoice& time)
+{
+	takeTime(time);
+	launch_.fastest.reset();
+	if (view_.launch)
+		takeStep(*this, launch_);
 }
 
 Result<SharedTraces> traceSheet(const Session& session, const cut::Cut& slice, std::size_t sheet,
                                 const mesh::SheetMesh& mesh)
 {
-	if (!session.view.launch)
+	if (!session.view().launch)
 		return SharedTraces();
-	const TimedSection section(session.timeline.get(), "trace");
-	const view::LaunchChoice& choice = *session.view.launch;
+	const TimedSection section(session.timeline(), "trace");
+	const view::LaunchChoice& choice = *session.view().launch;
 	const probe::Sheet& content = slice.sheets[sheet].sheet;
-	const std::vector<vectors::Launch> launches = ranks::launchLattice(session.ranks, mesh, content, choice.lattice);
+	const std::vector<vectors::Launch> launches = ranks::launchLattice(session.ranks(), mesh, content, choice.lattice);
 	const vectors::TraceOptions options{.steps = choice.steps,
-	                                    .dt = session.launch.dt,
+	                                    .dt = session.launch().dt,
 	                                    .direction = choice.direction,
 	                                    .part = choice.part,
 	                                    .normal = content.normal};
 	Result<vectors::Traces> traces =
-	    session.launch.stored
-	        ? vectors::tracePathLines(session.blocks, *session.launch.stored, session.launch.time, launches, options)
-	        : ranks::trace(session.ranks, session.blocks, choice.array, launches, options);
+	    session.launch().stored ? vectors::tracePathLines(session.blocks(), *session.launch().stored,
+	                                                      session.launch().time, launches, options)
+	                            : ranks::trace(session.ranks(), session.blocks(), choice.array, launches, options);
 	if (!traces)
 		return traces.error();
 	return std::make_shared<const vectors::Traces>(std::move(*traces));
@@ -118,13 +115,14 @@ std::optional<vectors::Flux> fluxThrough(const Session& session, const cut::Cut&
                                          const mesh::SheetMesh& mesh)
 {
 	const cut::SheetCut& sheet = slice.sheets[number];
-	std::optional<grid::FieldChoice> array = session.view.vector_array;
-	if (!array && sheet.field && hasVectors(session.blocks, *sheet.field))
+	std::optional<grid::FieldChoice> array = session.view().vector_array;
+	if (!array && sheet.field && hasVectors(session.blocks(), *sheet.field))
 		array = sheet.field;
 	if (!array || sheet.surface)
 		return std::nullopt;
-	const vectors::FluxSums sums = session.ranks.sum(vectors::fluxSums(slice.blocksOf(session.blocks), mesh, *array),
-	                                                 [](auto& sum, const auto& other) { sum.add(other); });
+	const vectors::FluxSums sums =
+	    session.ranks().sum(vectors::fluxSums(slice.blocksOf(session.blocks()), mesh, *array),
+	                        [](auto& sum, const auto& other) { sum.add(other); });
 	return sums.flux();
 }
 

@@ -10,14 +10,6 @@
 namespace vp::session
 {
 
-/// Prepares launching: finds the time of a step, which follows from the fastest particle, and opens vectors of other
-/// times. The fastest particle of an array is looked up once, until takeValuesAt().
-Status prepareLaunch(Session& session);
-
-// Call this when the arrays hold the values of another time. If the settings give no step, the step follows the new
-// values.
-void takeValuesAt(const read::TimeChoice& time, Session& session);
-
 // Traces the particles that start on a sheet. mesh: the polygons of the sheet. Returns null if nothing is launched.
 // Fails if vectors of other times cannot be read. Section "trace" on the timeline.
 using SharedTraces = std::shared_ptr<const vectors::Traces>;

@@ -25,15 +25,15 @@ grid::Field pick(std::vector<grid::Field>& fields, const grid::FieldChoice& arra
 
 Result<vectors::StoredVectors> storedVectors(const Session& session, const grid::FieldChoice& array)
 {
-	const view::ViewSpec& spec = session.spec;
+	const view::ViewSpec& spec = session.spec();
 	const std::string input = spec.input.files.front();
-	if (session.blocks.times.size() < 2)
+	if (session.blocks().times.size() < 2)
 		return Error{ErrorKind::input,
 		             fmt::format("{}: has no several times for `path_lines`; leave the setting out", input)};
-	vectors::StoredVectors stored{session.blocks.times, {}};
+	vectors::StoredVectors stored{session.blocks().times, {}};
 	stored.times.erase(std::unique(stored.times.begin(), stored.times.end()), stored.times.end()); // equal ones once
-	stored.load = [spec, input, array, times = stored.times, &blocks = session.blocks,
-	               timeline = session.timeline.get()](std::size_t index) -> Result<std::vector<grid::Field>>
+	stored.load = [spec, input, array, times = stored.times, &blocks = session.blocks(),
+	               timeline = session.timeline()](std::size_t index) -> Result<std::vector<grid::Field>>
 	{
 		const read::TimeChoice time{read::TimeChoice::Kind::value, times[index]};
 		Result<std::optional<read::BlockFields>> read =

@@ -1,33 +1,11 @@
 #include "session/time_steps.h"
 
 #include "session/session.h"
-#include "session/sheet_traces.h"
 
 #include <algorithm>
 
 namespace vp::session
 {
-
-namespace
-{
-
-Status buildAnew(Session& session, read::ReadOptions at)
-{
-	// For one cut a time, neighbors do not pay. A rank without cells lacks nothing.
-	const bool is_complete = !session.ranks.any(!grid::isComplete(session.blocks));
-	at.builds_neighbors = is_complete && session.ranks.buildsWhileReading();
-	Result<grid::BlockSet> blocks = readInputs(session, at);
-	if (!blocks)
-		return blocks.error();
-	session.cutter.reset();
-	session.blocks = std::move(*blocks);
-	++session.stamp.grid;
-	if (Status made = session.makeCutter(); !made)
-		return made;
-	return is_complete && !session.ranks.buildsWhileReading() ? session.buildNeighbors() : Nothing{};
-}
-
-} // namespace
 
 read::TimeChoice choiceOfStep(const std::vector<double>& times, std::size_t index)
 {
@@ -38,17 +16,34 @@ read::TimeChoice choiceOfStep(const std::vector<double>& times, std::size_t inde
 
 Status Session::goTo(const read::TimeChoice& time)
 {
-	const read::ReadOptions at = readOptions(*this, time);
+	const read::ReadOptions at = readOptions(time);
 	const Result<bool> same_grid =
-	    ranks.keepsParts() ? read::readValues(spec.input.files, at, blocks, timeline.get()) : false;
+	    ranks_.keepsParts() ? read::readValues(spec_.input.files, at, blocks_, timeline_.get()) : false;
 	if (!same_grid)
 		return same_grid.error();
 	if (*same_grid)
-		forgetValues();
-	else if (Status built = buildAnew(*this, at); !built)
-		return built;
-	takeValuesAt(time, *this);
+		takeNewValues();
+	else if (Status read = readAnew(at); !read)
+		return read;
+	takeValuesAt(time);
 	return Nothing{};
+}
+
+Status Session::readAnew(read::ReadOptions at)
+{
+	// For one cut a time, neighbors do not pay. A rank without cells lacks nothing.
+	const bool is_complete = !ranks_.any(!grid::isComplete(blocks_));
+	at.builds_neighbors = is_complete && ranks_.buildsWhileReading();
+	Result<grid::BlockSet> blocks = readInputs(at);
+	if (!blocks)
+		return blocks.error();
+	cutter_.reset();
+	blocks_ = std::move(*blocks);
+	finite_fields_ = std::make_unique<measure::FiniteFields>();
+	++stamp_.grid;
+	if (Status made = makeCutter(); !made)
+		return made;
+	return is_complete && !ranks_.buildsWhileReading() ? buildNeighbors() : Nothing{};
 }
 
 } // namespace vp::session

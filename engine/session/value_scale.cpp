@@ -18,7 +18,7 @@ constexpr double kLogReach = 1e-6;
 
 std::string inputName(const Session& session)
 {
-	const auto& files = session.spec.input.files;
+	const auto& files = session.spec().input.files;
 	return files.empty() ? "the input" : files.front();
 }
 
@@ -27,16 +27,16 @@ std::string inputName(const Session& session)
 grid::ValueSpan spanOf(const Session& session, const grid::FieldChoice& field)
 {
 	grid::ValueSpan span;
-	for (const grid::Field* of_block : field.inEach(session.blocks))
+	for (const grid::Field* of_block : field.inEach(session.blocks()))
 		if (of_block)
 			span.include(grid::valueSpan(*of_block, field.component));
-	return session.ranks.sum(span, [](grid::ValueSpan& sum, const grid::ValueSpan& other) { sum.include(other); });
+	return session.ranks().sum(span, [](grid::ValueSpan& sum, const grid::ValueSpan& other) { sum.include(other); });
 }
 
 Result<std::optional<render::ValueScale>>
 valueScale(const Session& session, const std::optional<grid::FieldChoice>& field, const render::Look& look)
 {
-	const grid::BlockSet& blocks = session.blocks;
+	const grid::BlockSet& blocks = session.blocks();
 	const char* needed = look.logarithmic ? "`log`" : look.lines > 0 ? "`lines`" : look.bands > 0 ? "`bands`" : nullptr;
 	if (!field)
 	{
@@ -54,12 +54,12 @@ valueScale(const Session& session, const std::optional<grid::FieldChoice>& field
 	scale.empty = span.empty();
 	if (!look.logarithmic)
 		return std::optional(scale);
-	scale.log_lo = session.ranks.sum(render::leastPositive(blocks, *field),
-	                                 [](double& least, double other)
-	                                 {
-		                                 if (other > 0.0 && !(least > 0.0 && least < other))
-			                                 least = other;
-	                                 });
+	scale.log_lo = session.ranks().sum(render::leastPositive(blocks, *field),
+	                                   [](double& least, double other)
+	                                   {
+		                                   if (other > 0.0 && !(least > 0.0 && least < other))
+			                                   least = other;
+	                                   });
 	if (!(scale.log_lo > 0.0))
 		return Error{ErrorKind::input, fmt::format("`log`: '{}' has no value above 0 and so no logarithm; leave the "
 		                                           "setting out or show another `array`",

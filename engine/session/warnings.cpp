@@ -38,25 +38,25 @@ Status reportWarnings(const Session& session, const cut::Cut& slice)
 	{
 		const Vec3 at = sheet.sheet.origin;
 		const bool outside =
-		    sheet.isPlane() && session.view.seeds.mode != seed::SeedMode::boundary && !sheet.seeds.hot_spot_inside;
-		if (outside && session.view.seeds.outside == seed::OutsidePolicy::refuse)
+		    sheet.isPlane() && session.view().seeds.mode != seed::SeedMode::boundary && !sheet.seeds.hot_spot_inside;
+		if (outside && session.view().seeds.outside == seed::OutsidePolicy::refuse)
 			return Error{ErrorKind::usage,
 			             fmt::format("`origin` {} {} {}: the hot spot lies outside the grid; choose one inside, or "
 			                         "`outside` nearest",
 			                         at.x, at.y, at.z)};
-		if (outside && session.view.seeds.outside == seed::OutsidePolicy::report)
+		if (outside && session.view().seeds.outside == seed::OutsidePolicy::report)
 			warn("`origin` {} {} {}: the hot spot lies outside the grid", at.x, at.y, at.z);
-		else if (outside && session.view.seeds.mode == seed::SeedMode::hotspot && sheet.seeds.moved_to)
+		else if (outside && session.view().seeds.mode == seed::SeedMode::hotspot && sheet.seeds.moved_to)
 			warn("`origin` {} {} {}: the hot spot lies outside the grid; {} {} {} takes its place", at.x, at.y, at.z,
 			     sheet.seeds.moved_to->x, sheet.seeds.moved_to->y, sheet.seeds.moved_to->z);
-		if (session.ranks.any(!isEmpty(sheet)))
+		if (session.ranks().any(!isEmpty(sheet)))
 			continue;
 		const Box bounds =
-		    session.ranks.sum(session.blocks.bounds(), [](Box& all, const Box& other) { all.include(other); });
+		    session.ranks().sum(session.blocks().bounds(), [](Box& all, const Box& other) { all.include(other); });
 		const std::string what = sheetName(static_cast<std::size_t>(&sheet - slice.sheets.data()), slice.sheets.size());
-		if (session.view.threshold)
+		if (session.view().threshold)
 			warn("{} is empty: no cell that is reached has values between {} and {}; widen `threshold`", what,
-			     session.view.threshold->lo, session.view.threshold->hi);
+			     session.view().threshold->lo, session.view().threshold->hi);
 		else if (sheet.surface)
 			warn("{} is empty: {} shows no cells, or hidden ones only", what, find::nameOf(*sheet.surface));
 		else if (sheet.sheet.form && sheet.sheet.form->isoValue())
@@ -64,7 +64,7 @@ Status reportWarnings(const Session& session, const cut::Cut& slice)
 			const auto [lo, hi] = spanOf(session, *sheet.field).range();
 			const int digits = digitsForRange(lo, hi);
 			warn("{} is empty: no edge that is reached passes {}; the values of {} go from {:.{}g} to {:.{}g}", what,
-			     sheet.sheet.form->isoValue()->value, sheet.field->title(session.blocks), lo, digits, hi, digits);
+			     sheet.sheet.form->isoValue()->value, sheet.field->title(session.blocks()), lo, digits, hi, digits);
 		}
 		else
 		{
@@ -91,8 +91,8 @@ void reportBoundarySheets(const Session& session, const std::vector<SheetStats>&
 	for (std::size_t s = 0; s < sheets.size(); ++s)
 	{
 		const mesh::SheetMesh& mesh = sheets[s].mesh;
-		const bool has_boundary = session.ranks.any(mesh.boundary_polygons > 0);
-		const bool has_cells = session.ranks.any(mesh.polygons() > mesh.boundary_polygons);
+		const bool has_boundary = session.ranks().any(mesh.boundary_polygons > 0);
+		const bool has_cells = session.ranks().any(mesh.polygons() > mesh.boundary_polygons);
 		if (has_boundary && !has_cells)
 			warn("{} lies in the boundary of the grid and cuts no cell, so its area is 0; boundary_area, "
 			     "boundary_mean and boundary_flux are its figures",

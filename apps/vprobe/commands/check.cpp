@@ -184,16 +184,16 @@ Result<ExitCode> runCheck(const CheckOptions& options)
 	if (options.output == "-" && options.json)
 		return Error{ErrorKind::usage,
 		             "-o - and --json: standard output takes one thing at a time; name a file for the cells"};
-	Result<std::unique_ptr<session::Session>> opened = session::openSession(options.input.spec, {});
+	Result<std::unique_ptr<session::Session>> opened = session::Session::open(options.input.spec, {});
 	if (!opened)
 		return opened.error();
 	session::Session& session = **opened;
 
-	const grid::Quality quality = grid::checkQuality(session.blocks);
-	Result<cut::SweepFindings> sweep = cut::sweepForImpossibleCases(*session.cutter);
+	const grid::Quality quality = grid::checkQuality(session.blocks());
+	Result<cut::SweepFindings> sweep = cut::sweepForImpossibleCases(session.cutter());
 	if (!sweep)
 		return sweep.error();
-	const std::vector<Finding> findings = listFindings(session.blocks, quality, *sweep);
+	const std::vector<Finding> findings = listFindings(session.blocks(), quality, *sweep);
 
 	if (!options.output.empty())
 	{
@@ -201,14 +201,14 @@ Result<ExitCode> runCheck(const CheckOptions& options)
 		for (const Finding& finding : findings)
 			if (finding.fault && !finding.cells.empty())
 				marked.push_back({finding.key, finding.cells});
-		if (Status written = write::writeMarkedCells(session.blocks, marked, options.output); !written)
+		if (Status written = write::writeMarkedCells(session.blocks(), marked, options.output); !written)
 			return written.error();
 	}
 	if (options.json)
-		print("{}\n", findingsJson(session.blocks, findings, *sweep, quality.overlap_samples)
+		print("{}\n", findingsJson(session.blocks(), findings, *sweep, quality.overlap_samples)
 		                  .dump(1, '\t', false, nlohmann::json::error_handler_t::replace));
 	else if (options.output != "-")
-		printFindings(session.blocks, findings, *sweep, quality.overlap_samples);
+		printFindings(session.blocks(), findings, *sweep, quality.overlap_samples);
 	return isClean(findings) ? ExitCode::done : ExitCode::findings;
 }
 

@@ -108,7 +108,7 @@ public:
 		const int planes = static_cast<int>(poses.size());
 		RemainingTime remaining(poses.size());
 		Progress progress(remaining.line());
-		hand(session_.timeline->takeSections()); // of what was read and built
+		hand(session_.timeline()->takeSections()); // of what was read and built
 		for (int k = 0; k < planes; ++k)
 		{
 			progress.say(remaining.line());
@@ -118,7 +118,7 @@ public:
 			                             .expect = session::Expect::more});
 			    !measured)
 				return measured;
-			std::vector<Timeline::Section> sections = session_.timeline->takeSections();
+			std::vector<Timeline::Section> sections = session_.timeline()->takeSections();
 			log_.add(cut_->slice, cut_->sheets, sections);
 			hand(std::move(sections));
 			remaining.done();
@@ -137,7 +137,7 @@ private:
 
 	Status plane(const session::FrameRequest& request)
 	{
-		const TimedSection section(session_.timeline.get(), "frame");
+		const TimedSection section(session_.timeline(), "frame");
 		Result<std::shared_ptr<const session::Frame>> made = session_.frame(request);
 		if (!made)
 			return made.error();
@@ -216,7 +216,7 @@ Result<ExitCode> runProfile(const ProfileOptions& options, const CLI::App& comma
 	if (!trace)
 		return trace.error();
 
-	Result<std::unique_ptr<session::Session>> opened = session::openSession(spec, how);
+	Result<std::unique_ptr<session::Session>> opened = session::Session::open(spec, how);
 	if (!opened)
 		return opened.error();
 	session::Session& session = **opened;
@@ -229,7 +229,7 @@ Result<ExitCode> runProfile(const ProfileOptions& options, const CLI::App& comma
 		painter.emplace(std::move(*made));
 	}
 	Measurement measurement(session, std::move(painter), *trace);
-	const auto poses = probe::poses(*path, session.view.probe, session.blocks.bounds(), options.planes);
+	const auto poses = probe::poses(*path, session.view().probe, session.blocks().bounds(), options.planes);
 	if (Status measured = measurement.run(poses, *path); !measured)
 		return measured.error();
 	const Profile profile{session, measurement.log(), options.path,

@@ -94,7 +94,7 @@ Result<ExitCode> runRender(RenderOptions& options)
 
 	how.use = session::DeviceUse::draw;
 	how.ranks = processes();
-	Result<std::unique_ptr<session::Session>> opened = session::openSession(spec, how);
+	Result<std::unique_ptr<session::Session>> opened = session::Session::open(spec, how);
 	if (!opened)
 		return opened.error();
 	session::Session& session = **opened;

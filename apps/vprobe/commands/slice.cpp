@@ -59,8 +59,8 @@ Status writeLineFile(const session::Session& session, const SliceOptions& option
 	const auto sheet = static_cast<std::size_t>(options.line_sheet);
 	const write::SheetLine line{{options.line[0], options.line[1]}, {options.line[2], options.line[3]}};
 	const write::SliceTable table = ranks::gathered(
-	    session.ranks, write::tabulateAlong(frame.slice.blocksOf(session.blocks), frame.slice.sheets[sheet].sheet,
-	                                        frame.sheets[sheet].mesh, line));
+	    session.ranks(), write::tabulateAlong(frame.slice.blocksOf(session.blocks()), frame.slice.sheets[sheet].sheet,
+	                                          frame.sheets[sheet].mesh, line));
 	return isFirst() ? write::writeLine(table, frame.slice.sheets[sheet].sheet, line, options.output) : Nothing{};
 }
 
@@ -131,13 +131,13 @@ Result<std::vector<std::string>> writeFiles(const session::Session& session, con
 {
 	if (options.output.empty())
 		return std::vector<std::string>();
-	const TimedSection section(session.timeline.get(), "write");
+	const TimedSection section(session.timeline(), "write");
 	const DeferredInterrupt writing; // the files of a .vtm appear together
 	if (picture::namesPictures(options.output))
 		return picture::writePictures(session, look, frame.slice, frame.sheets, options.output);
 	const Status written = !options.line.empty()
 	                           ? writeLineFile(session, options, frame)
-	                           : ranks::writeSlice(session.ranks, frame.slice.blocksOf(session.blocks),
+	                           : ranks::writeSlice(session.ranks(), frame.slice.blocksOf(session.blocks()),
 	                                               session::exportedMeshes(frame.sheets), options.output,
 	                                               session::contourPieces(frame.contours));
 	return written ? Result<std::vector<std::string>>(std::vector{options.output}) : written.error();
@@ -166,11 +166,11 @@ Result<ExitCode> runSlice(const SliceOptions& options, const CLI::App& command)
 	if (!look)
 		return look.error();
 
-	Result<std::unique_ptr<session::Session>> opened = session::openSession(spec, how);
+	Result<std::unique_ptr<session::Session>> opened = session::Session::open(spec, how);
 	if (!opened)
 		return opened.error();
 	session::Session& session = **opened;
-	if (Status fits = checkSheets(options, session.view.probe.sheets.size()); !fits)
+	if (Status fits = checkSheets(options, session.view().probe.sheets.size()); !fits)
 		return fits.error();
 	const Result<std::shared_ptr<const session::Frame>> made = session.frame({});
 	if (!made)

@@ -90,7 +90,7 @@ Result<nlohmann::json> sweepAlong(const probe::Path& path, const SweepPlan& plan
                                   SweepProducts& products)
 {
 	const std::vector<probe::Frame> poses =
-	    probe::poses(path, session.view.probe, session.blocks.bounds(), plan.frames);
+	    probe::poses(path, session.view().probe, session.blocks().bounds(), plan.frames);
 	// The first picture is there as soon as can be. Only then is built what makes the others fast.
 	const auto ask = [&](int frame)
 	{
@@ -104,13 +104,13 @@ Result<nlohmann::json> sweepAlong(const probe::Path& path, const SweepPlan& plan
 Result<nlohmann::json> sweepOverTimes(const SweepOptions& options, SweepPlan plan, session::Session& session,
                                       SweepProducts& products)
 {
-	const std::vector<double> times = session.blocks.times;
+	const std::vector<double> times = session.blocks().times;
 	plan.frames = static_cast<int>(times.size());
 	plan.cuts_ahead = false; // it changes what is drawn
 	if (times.empty())
 		return Error{ErrorKind::input, fmt::format("{}: has no times to sweep over; choose another --path",
-		                                           session.spec.input.files.front())};
-	if (!session.spec.look.range && options.draws())
+		                                           session.spec().input.files.front())};
+	if (!session.spec().look.range && options.draws())
 		warn("--path times: the colors follow the range of each time; --range LO HI holds them still");
 	plan.times = &times;
 	// Where only values differ, the cells that were found are kept, and neighbors would not be used.
@@ -153,7 +153,7 @@ Result<ExitCode> runSweep(const SweepOptions& options)
 
 	how.use = options.draws() ? session::DeviceUse::draw : session::DeviceUse::classify;
 	how.keep = *trace ? Timeline::Keep::sections : Timeline::Keep::totals;
-	Result<std::unique_ptr<session::Session>> opened = session::openSession(spec, how);
+	Result<std::unique_ptr<session::Session>> opened = session::Session::open(spec, how);
 	if (!opened)
 		return opened.error();
 	session::Session& session = **opened;
@@ -163,7 +163,7 @@ Result<ExitCode> runSweep(const SweepOptions& options)
 	    productsOf(options, session, std::move(*look), std::move(*frames));
 	if (!products)
 		return products.error();
-	const bool threads = spec.machine.threads != 1 && session.ranks.mayCallAtOnce(); // one thread is one
+	const bool threads = spec.machine.threads != 1 && session.ranks().mayCallAtOnce(); // one thread is one
 	const SweepPlan plan{*count, threads, threads, !options.stats.empty(), *trace ? &**trace : nullptr};
 	Result<nlohmann::json> figures = spec.sweep.over_times
 	                                     ? sweepOverTimes(options, plan, session, **products)

@@ -102,8 +102,8 @@ std::size_t peakResident()
 
 nlohmann::json memoryJson(const session::Session& session)
 {
-	const grid::Memory grid = grid::memoryOf(session.blocks);
-	const cut::Cutter::Memory cutter = session.cutter->memory();
+	const grid::Memory grid = grid::memoryOf(session.blocks());
+	const cut::Cutter::Memory cutter = session.cutter().memory();
 	return {{"grid", grid.read()},
 	        {"extra", grid.built() + cutter.marks + cutter.device},
 	        {"peak_rss", peakResident()},
@@ -122,8 +122,8 @@ nlohmann::json memoryJson(const session::Session& session)
 // What was measured: two profiles are of the same work where all this is the same.
 nlohmann::json subjectJson(const Profile& profile)
 {
-	const view::ProbeSpec& probe = profile.session.spec.probe;
-	const probe::Probe& placed = profile.session.view.probe;
+	const view::ProbeSpec& probe = profile.session.spec().probe;
+	const probe::Probe& placed = profile.session.view().probe;
 	nlohmann::json json = inputJson(profile.session);
 	const bool has_planes = !view::replacesSheets(probe.surface);
 	const std::string surface = view::surfaceText(probe.surface);
@@ -147,7 +147,7 @@ nlohmann::json subjectJson(const Profile& profile)
 nlohmann::json profileJson(const Profile& profile)
 {
 	const ProfileLog& log = profile.log;
-	const Timeline& timeline = *profile.session.timeline;
+	const Timeline& timeline = *profile.session.timeline();
 	const double ns = nsPerCutCell(log);
 	nlohmann::json json = subjectJson(profile);
 	json.update({{"cut_ms", withFirst(log.msOf("cut"))},

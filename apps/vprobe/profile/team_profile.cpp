@@ -23,7 +23,7 @@ void addNumbers(json& sum, const json& other)
 
 json rankJson(const Profile& own, const json& document)
 {
-	json rank = ranks::resourcesOf(own.session.ranks, own.session.blocks);
+	json rank = ranks::resourcesOf(own.session.ranks(), own.session.blocks());
 	for (const char* key : {"cut_ms", "frame_ms", "setup_ms", "cut_cells_mean", "stages", "memory_bytes"})
 		rank[key] = document[key];
 	return rank;
@@ -33,7 +33,7 @@ json rankJson(const Profile& own, const json& document)
 
 nlohmann::json profileOfTeam(const Profile& own)
 {
-	if (!own.session.ranks.team())
+	if (!own.session.ranks().team())
 		return profileJson(own);
 	ranks::MessageWriter message;
 	message.put(rankJson(own, profileJson(own)).dump(-1, ' ', false, json::error_handler_t::replace));
@@ -41,7 +41,7 @@ nlohmann::json profileOfTeam(const Profile& own)
 	ProfileLog log;
 	json ranks = json::array();
 	json memory;
-	for (const ranks::Bytes& bytes : own.session.ranks.team()->gatherAll(message.take()))
+	for (const ranks::Bytes& bytes : own.session.ranks().team()->gatherAll(message.take()))
 	{
 		ranks::MessageReader reader(bytes);
 		json rank = json::parse(reader.getText());

@@ -34,14 +34,14 @@ Result<ExitCode> explain(const view::ViewSpec& spec, session::OpenOptions how)
 	how.ranks = processes();
 	if (Status known = view::refuseGenerations(spec.probe, spec.look.color_by); !known)
 		return known.error();
-	Result<std::unique_ptr<session::Session>> opened = session::openSession(spec, how);
+	Result<std::unique_ptr<session::Session>> opened = session::Session::open(spec, how);
 	if (!opened)
 		return opened.error();
 	session::Session& session = **opened;
 	const Result<find::CutPlan> plan = session.plan();
 	if (!plan)
 		return plan.error();
-	const std::vector<grid::Block>& blocks = session.blocks.blocks;
+	const std::vector<grid::Block>& blocks = session.blocks().blocks;
 	std::size_t width = 5;
 	for (const grid::Block& block : blocks)
 		width = std::max(width, block.name.size());
@@ -49,13 +49,13 @@ Result<ExitCode> explain(const view::ViewSpec& spec, session::OpenOptions how)
 	forEachBlockPlan(*plan,
 	                 [&](std::size_t s, std::size_t b, const find::BlockPlan& way)
 	                 {
-		                 if (ranks::isHere(session.ranks, b))
+		                 if (ranks::isHere(session.ranks(), b))
 			                 lines += fmt::format("{:>5}  {:<{}}  {:<11}  {:<10}  {}\n", s, blocks[b].name, width,
 			                                      nameOf(way.strategy), nameOf(way.classifier), way.reason());
 	                 });
 	const std::string title =
 	    fmt::format("{:>5}  {:<{}}  {:<11}  {:<10}  {}\n", "sheet", "block", width, "strategy", "classifier", "reason");
-	print("{}", ranks::tableOfAll(session.ranks, title, lines));
+	print("{}", ranks::tableOfAll(session.ranks(), title, lines));
 	return ExitCode::done;
 }
 

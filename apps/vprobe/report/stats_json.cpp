@@ -129,17 +129,17 @@ nlohmann::json tracesJson(const session::Session& session, const vectors::Traces
 		for (const vectors::TraceEnd end : of_traces)
 			++counts[static_cast<std::size_t>(end)];
 	};
-	if (session.view.launch->direction != vectors::Direction::forward)
+	if (session.view().launch->direction != vectors::Direction::forward)
 		count(traces.begins);
-	if (session.view.launch->direction != vectors::Direction::backward)
+	if (session.view().launch->direction != vectors::Direction::backward)
 		count(traces.ends);
 	nlohmann::json ends;
 	for (std::size_t i = 0; i < counts.size(); ++i)
 		ends[vectors::kTraceEndWords[i]] = counts[i];
-	return {{"array", session.view.vector_array->name},
+	return {{"array", session.view().vector_array->name},
 	        {"traces", traces.count()},
 	        {"points", traces.points.size()},
-	        {"dt", session.launch.dt},
+	        {"dt", session.launch().dt},
 	        {"ends", ends}};
 }
 
@@ -147,9 +147,9 @@ nlohmann::json sheetJson(const session::Session& session, const cut::Cut& slice,
                          const session::SheetStats& stats)
 {
 	const cut::SheetCut& sheet = slice.sheets[number];
-	const TraversalSums sums = sumUp(slice.blocksOf(session.blocks), sheet);
+	const TraversalSums sums = sumUp(slice.blocksOf(session.blocks()), sheet);
 	nlohmann::json json = frameJson(sheet);
-	json.update({{"array", sheet.field ? nlohmann::json(sheet.field->title(session.blocks)) : nlohmann::json()},
+	json.update({{"array", sheet.field ? nlohmann::json(sheet.field->title(session.blocks())) : nlohmann::json()},
 	             {"cut_cells", sums.cut_cells},
 	             {"linear_cut_cells", sums.linear_cut_cells},
 	             {"polygons", stats.mesh.polygons()},
@@ -196,7 +196,7 @@ nlohmann::json sheetsJson(const session::Session& session, const cut::Cut& slice
 // Of all ranks together.
 double areaOf(const session::Session& session, const mesh::SheetMesh& mesh)
 {
-	return measure::measureOf(ranks::sumUp(session.ranks, session.blocks, mesh, {}), false).area;
+	return measure::measureOf(ranks::sumUp(session.ranks(), session.blocks(), mesh, {}), false).area;
 }
 
 nlohmann::json contoursJson(const session::Session& session, const session::Contours& contours)
@@ -219,33 +219,33 @@ nlohmann::json contoursJson(const session::Session& session, const session::Cont
 // From how many cells on `--classify auto` has the device do it; null where it was not asked, or is never faster.
 nlohmann::json breakEvenJson(const session::Session& session)
 {
-	return session.break_even && session.break_even->cells ? nlohmann::json(*session.break_even->cells)
-	                                                       : nlohmann::json();
+	return session.breakEven() && session.breakEven()->cells ? nlohmann::json(*session.breakEven()->cells)
+	                                                         : nlohmann::json();
 }
 
 nlohmann::json inputJson(const session::Session& session)
 {
-	const ranks::Share::Counts counts = ranks::countsOf(session.ranks, session.blocks);
-	return {
-	    {"input", fmt::format("{}", fmt::join(session.spec.input.files, " "))},
-	    {"grid",
-	     {{"kind", counts.kind},
-	      {"cells", counts.cells},
-	      {"points", counts.points},
-	      {"linear_cells", counts.linear_cells},
-	      {"linear_points", counts.linear_points},
-	      {"blocks", counts.blocks},
-	      {"cells_without_place", session.blocks.unplaced}}},
-	    {"array", session.view.field ? nlohmann::json(session.view.field->title(session.blocks)) : nlohmann::json()},
-	    {"device", session.device ? session.device->name() : "none"},
-	    {"classifier", classifierName(session)},
-	    {"break_even_cells", breakEvenJson(session)},
-	    {"plan", planJson(session)}};
+	const ranks::Share::Counts counts = ranks::countsOf(session.ranks(), session.blocks());
+	return {{"input", fmt::format("{}", fmt::join(session.spec().input.files, " "))},
+	        {"grid",
+	         {{"kind", counts.kind},
+	          {"cells", counts.cells},
+	          {"points", counts.points},
+	          {"linear_cells", counts.linear_cells},
+	          {"linear_points", counts.linear_points},
+	          {"blocks", counts.blocks},
+	          {"cells_without_place", session.blocks().unplaced}}},
+	        {"array",
+	         session.view().field ? nlohmann::json(session.view().field->title(session.blocks())) : nlohmann::json()},
+	        {"device", session.device() ? session.device()->name() : "none"},
+	        {"classifier", classifierName(session)},
+	        {"break_even_cells", breakEvenJson(session)},
+	        {"plan", planJson(session)}};
 }
 
 std::string statsDocument(const session::Session& session, const nlohmann::json& what)
 {
-	const Timeline& timeline = *session.timeline;
+	const Timeline& timeline = *session.timeline();
 	nlohmann::json ms = {{"gpu", timeline.totalGpu()}, {"total", timeline.now()}};
 	for (const char* section : {"read", "build", "adjacency", "upload", "seed", "refine", "traverse", "emit", "contour",
 	                            "trace", "measure", "readback", "render", "write"})
@@ -254,7 +254,7 @@ std::string statsDocument(const session::Session& session, const nlohmann::json&
 	nlohmann::json document = inputJson(session);
 	document.update(what);
 	document["ms"] = std::move(ms);
-	document = ranks::documentOfAll(session.ranks, session.blocks, std::move(document));
+	document = ranks::documentOfAll(session.ranks(), session.blocks(), std::move(document));
 	return document.dump(1, '\t', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
@@ -310,7 +310,7 @@ std::vector<TableFigure> tableFigures(const nlohmann::json& sheets)
 std::string statsTable(const session::Session& session, const session::Frame& frame)
 {
 	const nlohmann::json sheets = ranks::documentOfAll(
-	    session.ranks, session.blocks, nlohmann::json{{"sheets", sheetsJson(session, frame.slice, frame.sheets)}});
+	    session.ranks(), session.blocks(), nlohmann::json{{"sheets", sheetsJson(session, frame.slice, frame.sheets)}});
 	std::string table =
 	    fmt::format("{:>5} {:>10} {:>10} {:>10} {:>6}", "sheet", "cells", "polygons", "vertices", "pieces");
 	const std::vector<TableFigure> figures = tableFigures(sheets["sheets"]);
@@ -329,11 +329,12 @@ std::string statsTable(const session::Session& session, const session::Frame& fr
 			table += fmt::format(" {:>13}", number(sheet[figure.key]));
 		table += '\n';
 	}
-	const Timeline& timeline = *session.timeline;
+	const Timeline& timeline = *session.timeline();
 	const double cut_ms =
 	    timeline.total("seed") + timeline.total("refine") + timeline.total("traverse") + timeline.total("emit");
 	table += fmt::format("{}classified on the {}, cut in {} of {}\n",
-	                     session.view.field ? fmt::format("array {}, ", session.view.field->title(session.blocks)) : "",
+	                     session.view().field ? fmt::format("array {}, ", session.view().field->title(session.blocks()))
+	                                          : "",
 	                     classifierName(session), durationText(cut_ms), durationText(timeline.now()));
 	return table;
 }

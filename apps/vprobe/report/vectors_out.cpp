@@ -44,11 +44,11 @@ Status writeVectors(const session::Session& session, const std::vector<session::
 {
 	if (file.empty())
 		return Nothing{};
-	const TimedSection section(session.timeline.get(), "write");
+	const TimedSection section(session.timeline(), "write");
 	std::vector<vectors::Traces> traces;
 	for (const session::SheetStats& sheet : sheets)
 		traces.push_back(*sheet.traces);
-	return ranks::writeTraces(session.ranks, session.blocks, traces, file);
+	return ranks::writeTraces(session.ranks(), session.blocks(), traces, file);
 }
 
 } // namespace vp::app

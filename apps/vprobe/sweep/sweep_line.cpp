@@ -44,7 +44,7 @@ public:
 	// Of the frame that was started last.
 	Result<SweptFrame> take()
 	{
-		const TimedSection section(worker_ ? session_.timeline.get() : nullptr, "await cut");
+		const TimedSection section(worker_ ? session_.timeline() : nullptr, "await cut");
 		if (!worker_)
 			(*task_)();
 		return result_.get();
@@ -108,7 +108,7 @@ int nextFrame(int frame, const SweepPlan& plan, const SweepProducts& products, c
 // Whether the frame shows nothing, at any rank.
 bool isEmpty(const session::Session& session, const session::Frame& frame)
 {
-	return !session.ranks.any(!std::ranges::all_of(frame.slice.sheets, session::isEmpty));
+	return !session.ranks().any(!std::ranges::all_of(frame.slice.sheets, session::isEmpty));
 }
 
 // Whether a frame has a sheet that lies in the boundary, so that its area is 0.
@@ -138,7 +138,7 @@ Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const AskFrame& ask, 
 	if (plan.writes_beside)
 		products.writeBeside();
 	Cutter cutter(plan, ask, session);
-	int next = nextFrame(0, plan, products, session.ranks, remaining);
+	int next = nextFrame(0, plan, products, session.ranks(), remaining);
 	if (next < plan.frames && cutter.changesBlocks(next))
 		if (Status built = session.buildNeighbors(); !built)
 			return built.error();
@@ -151,7 +151,7 @@ Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const AskFrame& ask, 
 		const Result<SweptFrame> cut = cutter.take();
 		if (!cut)
 			return firstError(products, cut.error());
-		next = nextFrame(frame + 1, plan, products, session.ranks, remaining);
+		next = nextFrame(frame + 1, plan, products, session.ranks(), remaining);
 		const bool waits = next < plan.frames && cutter.changesBlocks(next); // until this frame is done with
 		if (next < plan.frames && !waits)
 			cutter.start(next);
@@ -172,12 +172,12 @@ Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const AskFrame& ask, 
 			figures.back()["frame"] = frame;
 		}
 		if (plan.trace)
-			plan.trace->add(session.timeline->takeSections());
+			plan.trace->add(session.timeline()->takeSections());
 	}
 	if (Status written = products.commit(); !written)
 		return written.error();
 	if (plan.trace)
-		plan.trace->add(session.timeline->takeSections());
+		plan.trace->add(session.timeline()->takeSections());
 	if (empty > 0)
 		warn("{} of {} frames are empty: the probe misses the grid there", empty, plan.frames);
 	if (in_boundary > 0)

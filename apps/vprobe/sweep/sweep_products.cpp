@@ -32,10 +32,10 @@ Status SweepProducts::add(int frame, const session::Frame& cut)
 		return Error{ErrorKind::cancelled, "interrupted; nothing is written"};
 	if (interrupt_)
 	{
-		const TimedSection section(session_.timeline.get(), "write");
+		const TimedSection section(session_.timeline(), "write");
 		const write::SliceTable table =
-		    ranks::tabulate(session_.ranks, cut.slice.blocksOf(session_.blocks), session::exportedMeshes(cut.sheets),
-		                    session::contourPieces(cut.contours));
+		    ranks::tabulate(session_.ranks(), cut.slice.blocksOf(session_.blocks()),
+		                    session::exportedMeshes(cut.sheets), session::contourPieces(cut.contours));
 		if (Status written = series_ ? series_->add(frame, table) : Nothing{}; !written)
 			return written;
 	}
@@ -56,7 +56,7 @@ Status SweepProducts::draw(int frame, const session::Frame& cut)
 		return picture.error();
 	if (writer_)
 	{
-		const TimedSection section(session_.timeline.get(), "await writer");
+		const TimedSection section(session_.timeline(), "await writer");
 		writer_->give([this, frame, picture = std::move(*picture)] { write(frame, picture); });
 	}
 	else
@@ -68,7 +68,7 @@ void SweepProducts::write(int frame, const render::Picture& picture)
 {
 	if (write_failed_)
 		return;
-	const TimedSection section(session_.timeline.get(), "write");
+	const TimedSection section(session_.timeline(), "write");
 	written_ = frames_.add(frame, picture);
 	write_failed_ = !written_;
 }

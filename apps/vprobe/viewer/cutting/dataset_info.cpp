@@ -32,7 +32,7 @@ std::vector<DatasetInfo::Array> arraysOf(const grid::BlockSet& blocks)
 
 DatasetInfo factsOf(const session::Session& session, const std::vector<std::string>& inputs)
 {
-	const grid::BlockSet& blocks = session.blocks;
+	const grid::BlockSet& blocks = session.blocks();
 	DatasetInfo facts;
 	facts.inputs = inputs;
 	facts.kind = blocks.kind();
@@ -46,7 +46,7 @@ DatasetInfo factsOf(const session::Session& session, const std::vector<std::stri
 	for (const grid::Patch& patch : blocks.patches)
 		facts.patches.push_back(patch.name);
 	facts.memory = grid::memoryOf(blocks);
-	facts.device = session.device->name();
+	facts.device = session.device()->name();
 	facts.classifier = session::classifierName(session);
 	facts.structured = std::ranges::all_of(blocks.blocks, [](const grid::Block& block)
 	                                       { return !std::holds_alternative<grid::UnstructuredGrid>(block.grid); });

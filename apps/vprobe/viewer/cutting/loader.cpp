@@ -38,12 +38,12 @@ void Loader::begin(view::ViewSpec spec)
 		    nameThreadRow("loader");
 		    try
 		    {
-			    job->opened = session::openSession(job->spec, {.use = session::DeviceUse::draw,
-			                                                   // The first picture comes before the neighbors do.
-			                                                   .expect = session::Expect::first_of_many,
-			                                                   .keep = Timeline::Keep::sections,
-			                                                   .device = device,
-			                                                   .stop = stop});
+			    job->opened = session::Session::open(job->spec, {.use = session::DeviceUse::draw,
+			                                                     // The first picture comes before the neighbors do.
+			                                                     .expect = session::Expect::first_of_many,
+			                                                     .keep = Timeline::Keep::sections,
+			                                                     .device = device,
+			                                                     .stop = stop});
 		    }
 		    catch (const std::bad_alloc&)
 		    {

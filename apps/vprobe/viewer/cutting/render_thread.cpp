@@ -133,7 +133,7 @@ void RenderThread::keepSections()
 {
 	if (!session_)
 		return;
-	for (Timeline::Section& section : session_->timeline->takeSections())
+	for (Timeline::Section& section : session_->timeline()->takeSections())
 		sections_.push_back(std::move(section));
 	while (sections_.size() > kKeptSections)
 		sections_.pop_front();
@@ -173,7 +173,7 @@ Status RenderThread::show(const FrameRequest& wish, bool smooth)
 	shown.wish = wish;
 	if (Status followed = follow(wish); !followed)
 		return followed;
-	shown.probe = view::makeProbe(wish.spec.probe, session_->blocks.bounds());
+	shown.probe = view::makeProbe(wish.spec.probe, session_->blocks().bounds());
 	Result<double> cut_ms = cutAsWished();
 	if (!cut_ms)
 		return cut_ms.error();
@@ -183,8 +183,8 @@ Status RenderThread::show(const FrameRequest& wish, bool smooth)
 	shown.cut = cut_;
 	shown.cuts = cuts_;
 	shown.empty = std::ranges::all_of(cut_->slice.sheets, session::isEmpty);
-	shown.memory = session_->cutter->memory();
-	shown.vector_dt = session_->view.launch ? session_->launch.dt : 0.0;
+	shown.memory = session_->cutter().memory();
+	shown.vector_dt = session_->view().launch ? session_->launch().dt : 0.0;
 	if (const auto before = this->shown(); before && before->cut == cut_)
 		shown.lookups = before->lookups;
 	Result<bool> drawn = draw(shown, false);
@@ -193,8 +193,8 @@ Status RenderThread::show(const FrameRequest& wish, bool smooth)
 	publish(std::move(shown));
 	rough_ = true;
 	// The picture is there; now comes what makes a moved cut fast.
-	if (!grid::hasNeighbors(session_->blocks))
-		neighbors_.begin(session_->blocks);
+	if (!grid::hasNeighbors(session_->blocks()))
+		neighbors_.begin(session_->blocks());
 	return Nothing{};
 }
 
@@ -242,7 +242,7 @@ Result<bool> RenderThread::draw(PresentedFrame& shown, bool smooth)
 	if (!image)
 		return image.error();
 	Result<bool> drawn = painter_->renderer().drawInto(
-	    *scene, **image, [&] { return !smooth || !waits(); }, session_->timeline.get());
+	    *scene, **image, [&] { return !smooth || !waits(); }, session_->timeline());
 	if (!drawn || !*drawn)
 		return drawn;
 	shown.image = *image;

@@ -20,10 +20,10 @@ bool haveSameRims(const view::ProbeSpec& a, const view::ProbeSpec& b)
 
 Status RenderThread::takeNeighbors(bool needed)
 {
-	if (grid::hasNeighbors(session_->blocks))
+	if (grid::hasNeighbors(session_->blocks()))
 		return Nothing{};
 	if (needed)
-		neighbors_.begin(session_->blocks);
+		neighbors_.begin(session_->blocks());
 	Result<std::optional<grid::BlockSet>> built = neighbors_.take(needed);
 	if (!built)
 		return built.error();
@@ -64,10 +64,10 @@ Status RenderThread::followTime(const read::TimeChoice& time)
 {
 	if (!followed_)
 		return Nothing{}; // the session was opened at this time
-	const std::uint64_t grid = session_->stamp.grid;
+	const std::uint64_t grid = session_->stamp().grid;
 	if (Status moved = session_->goTo(time); !moved)
 		return moved;
-	if (session_->stamp.grid != grid)
+	if (session_->stamp().grid != grid)
 		neighbors_.drop();
 	return Nothing{};
 }
@@ -105,7 +105,7 @@ Result<double> RenderThread::cutAsWished()
 {
 	session::FrameRequest request{
 	    .wants = {.figures = session::Wants::Figures::for_picture, .contours = false, .warns = false}, .last = cut_};
-	request.expect = grid::hasNeighbors(session_->blocks) ? session::Expect::more : session::Expect::first_of_many;
+	request.expect = grid::hasNeighbors(session_->blocks()) ? session::Expect::more : session::Expect::first_of_many;
 	if (const Result<bool> needed = session_->needsNeighborsFor(request); needed && *needed)
 		if (Status taken = takeNeighbors(true); !taken)
 			return taken.error();

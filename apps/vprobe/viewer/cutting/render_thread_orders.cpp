@@ -33,7 +33,7 @@ Status RenderThread::writeSlice(const CutJob& order)
 		return cut.error();
 	if (Status grown = growAsWished(order.wish); !grown)
 		return grown;
-	return write::writeSlice(session_->blocks, session::exportedMeshes(cut_->sheets), order.file,
+	return write::writeSlice(session_->blocks(), session::exportedMeshes(cut_->sheets), order.file,
 	                         session::contourPieces(grown_.contours));
 }
 

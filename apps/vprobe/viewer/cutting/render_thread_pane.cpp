@@ -69,11 +69,12 @@ Status RenderThread::drawPane(PresentedFrame& shown, const render::Scene& scene)
 	const PixelSize size = shown.wish.pane->size;
 	render::Scene pane = paneScene(scene, *sheet, size);
 	const render::Frame frame = render::pictureFrame(pane);
-	pane.camera = interact::faceSheet({scene.camera, frame}, sheet->sheet, flatExtent(session_->blocks, sheet->sheet));
+	pane.camera =
+	    interact::faceSheet({scene.camera, frame}, sheet->sheet, flatExtent(session_->blocks(), sheet->sheet));
 	Result<std::shared_ptr<gpu::Image>> image = pane_pictures_.take(*device_, {size.width, size.height});
 	if (!image)
 		return image.error();
-	if (Result<bool> drawn = pane_renderer_->drawInto(pane, **image, {}, session_->timeline.get()); !drawn)
+	if (Result<bool> drawn = pane_renderer_->drawInto(pane, **image, {}, session_->timeline()); !drawn)
 		return drawn.error();
 	shown.pane = PresentedFrame::Pane{*image, shown.wish.pane->sheet, pane.camera, frame};
 	return Nothing{};

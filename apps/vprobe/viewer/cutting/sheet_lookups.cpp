@@ -13,7 +13,7 @@ namespace
 bool isCategorical(const session::Session& session, const std::optional<grid::FieldChoice>& field)
 {
 	if (field)
-		for (const grid::Field* of_block : field->inEach(session.blocks))
+		for (const grid::Field* of_block : field->inEach(session.blocks()))
 			if (of_block && of_block->categorical)
 				return true;
 	return false;
@@ -35,7 +35,7 @@ SheetLookups::SheetLookups(const session::Session& session, std::shared_ptr<cons
                            bool by_generation)
     : cut_(std::move(cut))
 {
-	for (const grid::Block& block : session.blocks.blocks)
+	for (const grid::Block& block : session.blocks().blocks)
 		blocks_.push_back(block.name);
 	for (std::size_t s = 0; s < cut_->sheets.size(); ++s)
 	{
@@ -44,14 +44,14 @@ SheetLookups::SheetLookups(const session::Session& session, std::shared_ptr<cons
 		std::optional<OfSheet>& made = sheets_.emplace_back();
 		if (!sheet.isPlane() || cut_->sheets[s].crinkle)
 			continue;
-		render::SheetValues values = picture::sheetValues(session.blocks, sheet, mesh, by_generation);
+		render::SheetValues values = picture::sheetValues(session.blocks(), sheet, mesh, by_generation);
 		made.emplace(OfSheet{.lookup = {mesh, sheet.sheet},
 		                     .array = {},
 		                     .nearest = !by_generation && isCategorical(session, sheet.field),
 		                     .of_vertices = std::move(values.of_vertices),
 		                     .of_polygons = std::move(values.of_polygons),
-		                     .cells = sourceCells(session.blocks, mesh)});
-		made->array = by_generation ? "generation" : sheet.field ? sheet.field->title(session.blocks) : "";
+		                     .cells = sourceCells(session.blocks(), mesh)});
+		made->array = by_generation ? "generation" : sheet.field ? sheet.field->title(session.blocks()) : "";
 	}
 }
 

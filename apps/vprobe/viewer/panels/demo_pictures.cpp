@@ -100,7 +100,7 @@ DemoPicture makeDemoPicture(std::string_view name)
 	spec.input.files = {fmt::format("demo:{}:{}", name, kCells)};
 	spec.machine.classify = view::Classify::cpu;
 	spec.probe.shape = view::ProbeShape::trihedral;
-	const auto opened = session::openSession(std::move(spec), {.expect = session::Expect::first_of_many});
+	const auto opened = session::Session::open(std::move(spec), {.expect = session::Expect::first_of_many});
 	if (!opened)
 		return {};
 	session::Session& session = **opened;
@@ -109,15 +109,15 @@ DemoPicture makeDemoPicture(std::string_view name)
 		return {};
 	const session::Frame& frame = **made;
 	DemoPicture picture;
-	const Projection projection(session.blocks.bounds());
-	for (const render::Segment& line : render::outlineOf(session.blocks, render::Outline::box))
+	const Projection projection(session.blocks().bounds());
+	for (const render::Segment& line : render::outlineOf(session.blocks(), render::Outline::box))
 		picture.box.push_back({projection.place(line.a), projection.place(line.b)});
 	std::vector<double> depths;
 	for (std::size_t s = 0; s < frame.sheets.size(); ++s)
 	{
 		const mesh::SheetMesh& mesh = frame.sheets[s].mesh;
 		addSheet(picture, depths, projection, mesh,
-		         picture::sheetValues(session.blocks, frame.slice.sheets[s], mesh, false).of_vertices);
+		         picture::sheetValues(session.blocks(), frame.slice.sheets[s], mesh, false).of_vertices);
 	}
 	std::vector<std::size_t> order(depths.size());
 	std::iota(order.begin(), order.end(), std::size_t(0));
