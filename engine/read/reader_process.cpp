@@ -7,6 +7,8 @@
 #include <climits>
 #include <csignal>
 #include <cstring>
+#include <fstream>
+#include <string>
 #include <thread>
 
 #include <fcntl.h>
@@ -107,18 +109,33 @@ void becomeReader(const ChildSetup& setup)
 	_exit(127);
 }
 
+// A program on a busy machine may wait longer for a processor than it runs. 0 where the system does not tell.
+std::chrono::nanoseconds Reader::waitedForProcessor() const
+{
+	std::ifstream about("/proc/" + std::to_string(pid_) + "/schedstat");
+	long long ran = 0, waited = 0;
+	return std::chrono::nanoseconds(about >> ran >> waited ? waited : 0);
+}
+
+bool Reader::isLate(Clock::time_point deadline) const
+{
+	const auto now = Clock::now();
+	return now > deadline && now > deadline + waitedForProcessor();
+}
+
 bool Reader::finish(Clock::time_point deadline, const std::stop_token& stop)
 {
 	while (manifest_pipe_ || error_pipe_)
 	{
 		std::array<pollfd, 2> ready = {pollfd{manifest_pipe_.get(), POLLIN, 0}, pollfd{error_pipe_.get(), POLLIN, 0}};
 		const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
-		if (left <= 0 || wroteTooMuch() || stop.stop_requested())
+		if (isLate(deadline) || wroteTooMuch() || stop.stop_requested())
 		{
 			end();
 			return false;
 		}
-		poll(ready.data(), ready.size(), static_cast<int>(std::min<long long>(left, kLongestWait)));
+		poll(ready.data(), ready.size(),
+		     static_cast<int>(left > 0 ? std::min<long long>(left, kLongestWait) : kLongestWait));
 		if (ready[0].revents)
 			take(manifest_pipe_, manifest);
 		if (ready[1].revents)
@@ -130,7 +147,7 @@ bool Reader::finish(Clock::time_point deadline, const std::stop_token& stop)
 	}
 	while (!hasEnded())
 	{
-		if (Clock::now() > deadline || stop.stop_requested())
+		if (isLate(deadline) || stop.stop_requested())
 		{
 			end();
 			return false;

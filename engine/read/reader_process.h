@@ -61,7 +61,8 @@ public:
 	Reader& operator=(const Reader&) = delete;
 
 	// Reads what the child writes until both pipes are closed and it has ended. Kills the child and returns false if
-	// the time is over, if it writes too much, or if somebody asks it to stop.
+	// the time is over, without that in which it waited for a processor, if it writes too much, or if somebody asks it
+	// to stop.
 	bool finish(std::chrono::steady_clock::time_point deadline, const std::stop_token& stop = {});
 	bool wroteTooMuch() const;
 
@@ -71,6 +72,8 @@ public:
 
 private:
 	bool hasEnded() const;
+	bool isLate(std::chrono::steady_clock::time_point deadline) const;
+	std::chrono::nanoseconds waitedForProcessor() const;
 	void end();
 
 	pid_t pid_;
