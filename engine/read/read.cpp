@@ -146,9 +146,12 @@ std::string timeText(const TimeChoice& time)
 namespace
 {
 
-// Equal times of one input stay apart; those of several inputs are the same times.
-void addTimes(std::vector<double> more, std::vector<double>& all)
+// Equal times of one input stay apart; those of several inputs are the same times. Inputs without times have no say in
+// the units.
+void addTimes(std::vector<double> more, std::string units, std::vector<double>& all, std::string& all_units)
 {
+	if (!more.empty())
+		all_units = all.empty() || all_units == units ? std::move(units) : std::string();
 	std::sort(more.begin(), more.end());
 	std::vector<double> both;
 	std::ranges::set_union(all, more, std::back_inserter(both));
@@ -162,10 +165,7 @@ void addSet(grid::BlockSet set, grid::BlockSet& all)
 			face.block += static_cast<std::uint32_t>(all.blocks.size());
 	std::move(set.patches.begin(), set.patches.end(), std::back_inserter(all.patches));
 	std::move(set.blocks.begin(), set.blocks.end(), std::back_inserter(all.blocks));
-	// Inputs without times have no say.
-	if (!set.times.empty())
-		all.time_units = all.times.empty() || all.time_units == set.time_units ? set.time_units : std::string();
-	addTimes(std::move(set.times), all.times);
+	addTimes(std::move(set.times), std::move(set.time_units), all.times, all.time_units);
 	all.left_out += set.left_out;
 	all.unplaced += set.unplaced;
 }
@@ -240,7 +240,7 @@ Result<PartList> listParts(const std::vector<std::string>& inputs, const ReadOpt
 			list.parts.push_back({i, p, input->parts[p].cells, list.blocks.size() + input->parts[p].block});
 		for (const WholeLattice& whole : input->wholes)
 			list.blocks.push_back({whole.kind, whole.points});
-		addTimes(input->times, list.times);
+		addTimes(input->times, input->time_units, list.times, list.time_units);
 	}
 	return list;
 }

@@ -121,6 +121,7 @@ struct PartList
 	std::vector<Part> parts;
 	std::vector<Whole> blocks;
 	std::vector<double> times;
+	std::string time_units{};     // as of grid::BlockSet
 	std::uint64_t bytes_read = 0; // for this list
 };
 

@@ -129,6 +129,7 @@ read::PartList listForAll(Team& team, const std::optional<read::PartList>& own)
 			message.put(whole.points);
 		}
 		message.putAll(own->times);
+		message.put(own->time_units);
 	}
 	Bytes bytes = message.take();
 	team.broadcast(bytes);
@@ -141,6 +142,7 @@ read::PartList listForAll(Team& team, const std::optional<read::PartList>& own)
 		list.blocks.push_back({std::move(kind), reader.get<std::size_t>()});
 	}
 	list.times = reader.getAll<double>();
+	list.time_units = reader.getText();
 	return list;
 }
 
@@ -204,6 +206,7 @@ grid::BlockSet withOthers(Team& team, read::PartBlocks&& own, const read::PartLi
 	share.counts.blocks = kinds.size();
 	share.counts.kind = kindOf(kinds);
 	all.times = list.times;
+	all.time_units = list.time_units;
 	return all;
 }
 
