@@ -1,6 +1,7 @@
 #include "read/child.h"
 
 #include "base/input_files.h"
+#include "read/formats.h"
 #include "read/protocol.h"
 #include "read/reader_process.h"
 
@@ -151,6 +152,15 @@ rlimit limitOf(std::uint64_t value, int resource)
 	return limit;
 }
 
+// vprobe-read becomes vprobe-read-more where a file asks for it. To start that at once spares the time to load the
+// first, a fifth of what a small file takes; it reads all other formats, too.
+std::string programFor(const std::string& program, const std::string& file, const std::string& name)
+{
+	const Format* format = name.empty() ? formatOfEnding(file) : findFormat(name);
+	const std::string more = program + "-more";
+	return format && format->in_more && access(more.c_str(), X_OK) == 0 ? more : program;
+}
+
 } // namespace
 
 Error stopped(const std::string& input)
@@ -160,9 +170,10 @@ Error stopped(const std::string& input)
 
 Result<HandedOver> runReader(const std::string& file, const ReadOptions& options, const InputLimits& limits)
 {
-	const Result<std::string> program = readerProgram();
-	if (!program)
-		return program.error();
+	const Result<std::string> found = readerProgram();
+	if (!found)
+		return found.error();
+	const std::string program = programFor(*found, file, options.format);
 	noteInput(file);
 	noteInput(options.solution);
 
@@ -185,7 +196,7 @@ Result<HandedOver> runReader(const std::string& file, const ReadOptions& options
 	std::string raw = rawText(options.raw);
 	std::string displace = fmt::format("{:.17g}", options.displace);
 	ChildSetup setup = {};
-	setup.program = program->c_str();
+	setup.program = program.c_str();
 	std::string patches = options.patches ? "1" : "0";
 	std::string threads =
 	    std::to_string(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));

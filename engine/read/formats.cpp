@@ -15,8 +15,12 @@ constexpr auto alone = FormatFiles::alone;
 constexpr auto beside = FormatFiles::beside;
 constexpr auto folder = FormatFiles::folder;
 
+constexpr bool base = false;
+constexpr bool more = true;
+
 constexpr Format kFormats[] = {
-#define VP_FORMAT(NAME, ENDINGS, WHAT, READ, BY, FILES, ...) {NAME, ENDINGS, WHAT, READ, BY, FILES},
+#define VP_FORMAT(NAME, ENDINGS, WHAT, READ, BY, FILES, SIGN, PROGRAM, FUNCTION)                                       \
+	{NAME, ENDINGS, WHAT, READ, BY, FILES, PROGRAM},
 #include "read/format_table.inl"
 #undef VP_FORMAT
 };

@@ -24,6 +24,7 @@ struct Format
 	std::string_view read;
 	std::string_view by; // which library
 	FormatFiles files;
+	bool in_more; // whether vprobe-read-more reads it
 };
 
 // In the order in which they are recognized.
