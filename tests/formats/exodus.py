@@ -150,6 +150,17 @@ def exodus_meshes_alone(folder):
 def exodus_refused(folder):
     write_cubes(folder / 'hex32.e', [('HEX32', 8, HEXAHEDRON + HEXAHEDRON)], linear)
     refused(folder / 'hex32.e', 'HEX32 with 32 nodes', 'HEX8, HEX20 or HEX27')
+    netcdf4 = need('netCDF4')  # what made VTK's reader crash
+    for name, words, damage in (
+            ('sides', 'what the elements of its block 1 are', lambda f: f.renameDimension('num_nod_per_el1', 'other')),
+            ('number', 'what the elements of its block 1 are', lambda f: f.renameDimension('num_el_in_blk1', 'other')),
+            ('type', 'what the elements of its block 1 are', lambda f: f['connect1'].delncattr('elem_type')),
+            ('corners', 'has the node 1000000 of', lambda f: f['connect1'].__setitem__((0, 0), 1000000))):
+        path = folder / f'{name}.e'
+        write_cubes(path, [t for t in TYPES if t[0] == 'HEX8'], linear)
+        with netcdf4.Dataset(path, 'r+') as file:
+            damage(file)
+        refused(path, words)
 
 
 CASES = [exodus_types, exodus_orders, exodus_added_nodes, exodus_meshes_alone, exodus_refused]

@@ -27,6 +27,33 @@ std::string headOf(const std::string& file)
 	return head.size() > 132 && head.compare(128, 4, "DICM") == 0 ? head : std::string();
 }
 
+// Whether the elements of the header (group 2) are what the standard has there, each within the file. GDCM ends the
+// program at others.
+bool hasSoundHeader(std::string_view head)
+{
+	const auto number = [&](std::size_t at, std::size_t bytes)
+	{
+		std::size_t value = 0;
+		for (std::size_t b = bytes; b-- > 0;)
+			value = value << 8 | static_cast<unsigned char>(head[at + b]);
+		return value;
+	};
+	std::size_t at = 132;
+	while (head.size() - at >= 12 && number(at, 2) == 2)
+	{
+		const std::string_view type = head.substr(at + 4, 2);
+		if (!std::isupper(static_cast<unsigned char>(type[0])) || !std::isupper(static_cast<unsigned char>(type[1])))
+			return false;
+		const bool is_long = type == "OB" || type == "OW" || type == "UN" || type == "UT" || type == "SQ";
+		const std::size_t length = is_long ? number(at + 8, 4) : number(at + 6, 2);
+		at += is_long ? 12 : 8;
+		if (length > head.size() - at)
+			return false;
+		at += length;
+	}
+	return true;
+}
+
 // Whether the data have types where the header says so; GDCM never comes back from a file that has none. The header's
 // first element says how long the rest of it is.
 bool hasTypesAsSaid(std::string_view head)
@@ -51,7 +78,7 @@ bool hasTypesAsSaid(std::string_view head)
 std::optional<DicomSlice> dicomSlice(const std::string& file)
 {
 	std::istringstream head(headOf(file));
-	if (!hasTypesAsSaid(head.view()))
+	if (head.view().empty() || !hasSoundHeader(head.view()) || !hasTypesAsSaid(head.view()))
 		return std::nullopt;
 	gdcm::Reader reader;
 	reader.SetStream(head);

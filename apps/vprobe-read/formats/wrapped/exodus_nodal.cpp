@@ -36,11 +36,62 @@ std::vector<std::string> exodusNames(const NetcdfFile& file, const char* name)
 	return names;
 }
 
+// Whether all nodes of a block's elements are nodes of the file.
+void checkExodusElements(const NetcdfFile& file, int variable, std::size_t block)
+{
+	constexpr std::size_t kAtOnce = 1 << 20;
+	const auto nodes = static_cast<long long>(file.length("num_nodes"));
+	std::vector<std::size_t> starts, counts;
+	for (const auto& [name, length] : file.dimensions(variable))
+	{
+		starts.push_back(0);
+		counts.push_back(length);
+	}
+	const std::size_t rows = counts.empty() ? 0 : counts[0];
+	const std::size_t width = counts.size() > 1 ? counts[1] : 1;
+	if (counts.empty() || counts.size() > 2 || width > kAtOnce)
+		throw damaged(fmt::format("the elements of its block {} are no list", block));
+	std::vector<long long> corners;
+	for (std::size_t row = 0; row < rows; row += counts[0])
+	{
+		starts[0] = row;
+		counts[0] = std::min(rows - row, std::max<std::size_t>(kAtOnce / std::max<std::size_t>(width, 1), 1));
+		corners.resize(counts[0] * width);
+		NetcdfFile::check(nc_get_vara_longlong(file.id(), variable, starts.data(), counts.data(), corners.data()));
+		for (const long long corner : corners)
+			if (corner < 1 || corner > nodes)
+				throw damaged(fmt::format("an element of its block {} has the node {} of {}", block, corner, nodes));
+	}
+}
+
+// VTK's reader crashes where a block lacks what tells of its elements.
+void checkExodusBlocks(const NetcdfFile& file)
+{
+	const std::size_t blocks = file.length("num_el_blk");
+	const int status = file.variable("eb_status");
+	const std::vector<double> exist = status < 0 ? std::vector<double>() : file.values(status);
+	for (std::size_t block = 1; block <= blocks; ++block)
+	{
+		if (block <= exist.size() && exist[block - 1] == 0.0)
+			continue;
+		const int corners = file.variable(fmt::format("connect{}", block).c_str());
+		const int faces = file.variable(fmt::format("facconn{}", block).c_str()); // of polyhedra
+		const int described = corners < 0 ? faces : corners;
+		const bool has_sides = file.length(fmt::format("num_el_in_blk{}", block).c_str()) > 0 &&
+		                       (faces >= 0 || file.length(fmt::format("num_nod_per_el{}", block).c_str()) > 0);
+		if (described < 0 || !has_sides || file.text(described, "elem_type").empty())
+			throw damaged(fmt::format("it does not say what the elements of its block {} are", block));
+		if (corners >= 0)
+			checkExodusElements(file, corners, block);
+	}
+}
+
 } // namespace
 
 void refuseMissingExodus(const std::string& path)
 {
 	const NetcdfFile file(path);
+	checkExodusBlocks(file);
 	const std::size_t blocks = file.length("num_el_blk"), variables = file.length("num_elem_var");
 	const int table = file.variable("elem_var_tab");
 	if (table < 0 || blocks == 0 || variables == 0)

@@ -8,8 +8,9 @@
 
 class vtkDoubleArray;
 
-// Looks for what VTK's reader takes for there and fills with nothing: variables of elements that the file's table
-// names and that are missing. Throws a Refusal for them.
+// Looks for what VTK's reader takes for there: variables of elements that the file's table names and that are missing,
+// which it fills with nothing, and what tells of the elements, and their nodes, without which it crashes. Throws a
+// Refusal for them.
 void refuseMissingExodus(const std::string& file);
 
 // Variables of nodes that lie one by one in a file that is not of the kind of large ones, as meshio writes it: VTK's

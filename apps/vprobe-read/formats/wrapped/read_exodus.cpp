@@ -88,11 +88,11 @@ void readExodus(const Request& request, ManifestWriter& manifest)
 	vtkNew<vtkExodusIIReader> reader;
 	if (!reader->CanReadFile(request.file.c_str()))
 		throw Refusal("not an Exodus II file, though its first bytes are netCDF's or HDF5's");
+	refuseMissingExodus(request.file);
 	reader->SetFileName(request.file.c_str());
 	reader->SetApplyDisplacements(false); // which it would add in single precision
 	reader->UpdateInformation();
 	refuseOnComplaint();
-	refuseMissingExodus(request.file);
 	for (const std::string& name : repeatedExodusNames(request.file))
 		manifest.warn(fmt::format("several variables are called {}; only one of them is shown", name));
 	const bool is_odd = hasOddExodusNodes(request.file);
