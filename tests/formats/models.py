@@ -1,6 +1,7 @@
 """Files of models that have ways of their own: WRF, ocean models with s-coordinates, CAM, UGRID; and units."""
 from against import cut, info, near, need
 from conventions import FLAT, axis, new, noted
+from far_codes import begin_cgns
 from odd import refused
 
 
@@ -115,6 +116,7 @@ def cam(folder):
         values[1] = 70
         values[:, 2, 0] = -32767
         axis(file, 'T', values, 'i2', ('time', 'lev', 'ncol'), scale_factor=0.1, _FillValue=-32767)
+    assert info(folder / 'f.nc')['time_units'] == 'days since 2000-01-01'
     for time, mean in (('5', 7), ('10', 5), ('#0', 7), ('last', 5)):
         sheet = cut(folder / 'f.nc', 'T', *FLAT, 0, 1, 1.5, '--time', time)
         assert near(sheet['area'], 12) and near(sheet['mean'], mean), (time, sheet)
@@ -135,4 +137,39 @@ def series_of_equal_times(folder):
     assert tops == [3, 1, 2, 1], tops
 
 
-CASES = [wrf, ocean, ugrid, units, cam, series_of_equal_times]
+def cgns_times(folder):
+    """Times that descend are refused, since VTK's reader would leave them out; of equal ones the first is shown."""
+    h5py, numpy = need('h5py'), need('numpy')
+    corners = numpy.array([[i & 1, i >> 1 & 1, i >> 2] for i in range(8)], float)
+    for times in ([2.0, 1.0, 0.5], [0.5, 1.0, 1.0]):
+        path = folder / f'{times[0]}.cgns'
+        with h5py.File(path, 'w', track_order=True) as file:
+            node = begin_cgns(numpy, file)
+            base = node(file, 'Base', 'CGNSBase_t', 'I4', numpy.array([3, 3], dtype='i4'))
+            steps = node(base, 'Steps', 'BaseIterativeData_t', 'I4', numpy.array([3], dtype='i4'))
+            node(steps, 'TimeValues', 'DataArray_t', 'R8', numpy.array(times))
+            zone = node(base, 'Zone', 'Zone_t', 'I4', numpy.array([[8], [1], [0]], dtype='i4'))
+            node(zone, 'ZoneType', 'ZoneType_t', 'C1', 'Unstructured')
+            places = node(zone, 'GridCoordinates', 'GridCoordinates_t')
+            for i in range(3):
+                node(places, 'Coordinate' + 'XYZ'[i], 'DataArray_t', 'R8', corners[:, i].copy())
+            part = node(zone, 'Cells', 'Elements_t', 'I4', numpy.array([17, 0], dtype='i4'))
+            node(part, 'ElementRange', 'IndexRange_t', 'I4', numpy.array([1, 1], dtype='i4'))
+            node(part, 'ElementConnectivity', 'DataArray_t', 'I4', numpy.array([1, 2, 4, 3, 5, 6, 8, 7], dtype='i4'))
+            names = [f'Step{i}' for i in range(3)]
+            of_zone = node(zone, 'OfZone', 'ZoneIterativeData_t')
+            pointers = numpy.frombuffer(''.join(n.ljust(32) for n in names).encode(), dtype='i1').reshape(3, 32)
+            node(of_zone, 'FlowSolutionPointers', 'DataArray_t', 'C1', pointers)
+            for i, name in enumerate(names):
+                solution = node(zone, name, 'FlowSolution_t')
+                node(solution, 'GridLocation', 'GridLocation_t', 'C1', 'Vertex')
+                node(solution, 'u', 'DataArray_t', 'R8', numpy.full(8, 10.0 + i))
+        if times[0] == 2.0:
+            refused(path, 'do not rise')
+            continue
+        ranges = [info(path, '--time', time)['arrays'][0]['range'][0] for time in ('#0', '#1', '0.5', '1', 'last')]
+        assert ranges == [10, 11, 10, 11, 11], ranges
+        assert '1 of its 3 steps have the time of another' in noted(path), noted(path)
+
+
+CASES = [cgns_times, wrf, ocean, ugrid, units, cam, series_of_equal_times]

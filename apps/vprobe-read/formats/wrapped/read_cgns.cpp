@@ -103,24 +103,23 @@ bool hasPyramids13(const Hdf5File& file, const std::string& list)
 	return false;
 }
 
-// VTK's reader leaves pyramids of 13 nodes out without a word. Files of ADF are not looked at.
-void refusePyramids13(const std::string& name)
+// The nodes of a kind, by their paths.
+std::vector<std::string> cgnsChildren(const Hdf5File& file, const std::string& parent, std::string_view label)
 {
-	if (!MappedText(name).text().starts_with("\x89HDF"))
-		return;
-	const Hdf5File file(name);
-	const auto childrenOf = [&](const std::string& parent, std::string_view label)
-	{
-		std::vector<std::string> found;
-		for (const std::string& child : file.namesIn(parent))
-			if (const std::string path = (parent == "/" ? "" : parent) + "/" + child;
-			    !file.isSet(path) && file.textOr(path, "label") == label)
-				found.push_back(path);
-		return found;
-	};
-	for (const std::string& base : childrenOf("/", "CGNSBase_t"))
-		for (const std::string& zone : childrenOf(base, "Zone_t"))
-			for (const std::string& section : childrenOf(zone, "Elements_t"))
+	std::vector<std::string> found;
+	for (const std::string& child : file.namesIn(parent))
+		if (const std::string path = (parent == "/" ? "" : parent) + "/" + child;
+		    !file.isSet(path) && file.textOr(path, "label") == label)
+			found.push_back(path);
+	return found;
+}
+
+// VTK's reader leaves pyramids of 13 nodes out without a word.
+void refusePyramids13(const Hdf5File& file)
+{
+	for (const std::string& base : cgnsChildren(file, "/", "CGNSBase_t"))
+		for (const std::string& zone : cgnsChildren(file, base, "Zone_t"))
+			for (const std::string& section : cgnsChildren(file, zone, "Elements_t"))
 			{
 				const std::string list = section + "/ElementConnectivity/ data";
 				if (!file.isSet(section + "/ data") || !file.isSet(list))
@@ -134,13 +133,37 @@ void refusePyramids13(const std::string& name)
 			}
 }
 
+// VTK's reader leaves a base out whose times do not rise, and shows the first of the steps that have one time.
+void checkCgnsTimes(const Hdf5File& file, ManifestWriter& manifest)
+{
+	for (const std::string& base : cgnsChildren(file, "/", "CGNSBase_t"))
+		for (const std::string& steps : cgnsChildren(file, base, "BaseIterativeData_t"))
+		{
+			if (!file.isSet(steps + "/TimeValues/ data"))
+				continue;
+			const std::vector<double> times = file.reals(steps + "/TimeValues/ data");
+			if (!std::ranges::is_sorted(times))
+				throw Refusal("its times (TimeValues) do not rise, which VTK's CGNS reader wants; write its steps in "
+				              "the order of their times");
+			if (const std::size_t distinct = inOrder(times).size(); distinct < times.size())
+				manifest.warn(fmt::format("{} of its {} steps have the time of another; the first one of each time is "
+				                          "shown",
+				                          times.size() - distinct, times.size()));
+		}
+}
+
 } // namespace
 
 void readCgns(const Request& request, ManifestWriter& manifest)
 {
 	refuseShortAdf(request.file);
 	refuseMissingParts(request.file);
-	refusePyramids13(request.file);
+	if (MappedText(request.file).text().starts_with("\x89HDF")) // files of ADF are not looked at
+	{
+		const Hdf5File file(request.file);
+		refusePyramids13(file);
+		checkCgnsTimes(file, manifest);
+	}
 	vtkNew<vtkCGNSReader> reader;
 	if (!reader->CanReadFile(request.file.c_str()))
 		throw damaged("not a CGNS file that can be opened");
