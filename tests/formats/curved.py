@@ -18,17 +18,19 @@ MESHIO_NAMES = {'QuadraticTetra': 'tetra10', 'QuadraticHexahedron': 'hexahedron2
 LINEAR = {4: 'Tetra', 5: 'Pyramid', 6: 'Wedge', 8: 'Hexahedron'}
 
 
-def check_cube(path, *options):
+def check_cubes(path, count, *options):
+    """So many cubes in a row along x."""
     stats = path.parent / 'stats.json'
     vprobe('slice', path, '--probe', 'trihedral', '--origin', .4, .4, .4, '--classify', 'cpu', '--stats', stats,
            *options)
     for axis, sheet in enumerate(json.loads(stats.read_text())['sheets']):
-        assert abs(sheet['area'] - 1) < 1e-12, (path.name, options, axis, sheet['area'])
+        wanted = count if axis else 1
+        assert abs(sheet['area'] - wanted) < 1e-12 * count, (path.name, options, axis, sheet['area'])
 
 
-def check_both(path):
-    check_cube(path)
-    check_cube(path, '--refine', 0.01)
+def check_both(path, count=1):
+    check_cubes(path, count)
+    check_cubes(path, count, '--refine', 0.01)
 
 
 def reference_places(numpy, gmsh, kind):
@@ -74,9 +76,9 @@ def gmsh_cubes(folder):
                 gmsh.option.setNumber('Mesh.SaveAll', 1)
                 path = folder / f'{name.replace(" ", "_")}_{version}_{binary}.msh'
                 gmsh.write(str(path))
-                check_cube(path)
+                check_cubes(path, 1)
                 if version == 2.2:
-                    check_cube(path, '--refine', 0.01)
+                    check_cubes(path, 1, '--refine', 0.01)
     finally:
         gmsh.finalize()
 
@@ -223,36 +225,45 @@ CGNS_TYPES = {'TETRA_4': (10, 4, ''), 'TETRA_10': (11, 4, '12 23 31 14 24 34'), 
               'HEXA_27': (19, 8, CGNS_HEXAHEDRON + ' 1234 1265 2376 3487 1485 5678 12345678')}
 
 
-def cgns_cubes(folder):
-    """By the tables of the SIDS; as a section of one type, and as a mixed one."""
-    h5py, numpy = need('h5py'), need('numpy')
-    for (name, (kind, corners, between)), mixed in itertools.product(CGNS_TYPES.items(), (False, True)):
+def write_cgns_cubes(numpy, file, types, mixed):
+    """A zone for the cube of each type, one beside the other; as a section of one type, or as a mixed one."""
+    node = begin_cgns(numpy, file)
+    base = node(file, 'Base', 'CGNSBase_t', 'I4', numpy.array([3, 3], dtype='i4'))
+    for number, name in enumerate(types):
+        kind, corners, between = CGNS_TYPES[name]
         cells = []
         for cell in corners_of(numpy, corners):
             cells.append(numpy.array(list(cell) + [numpy.mean([cell[int(i) - 1] for i in word], axis=0)
-                                                   for word in between.split()]))
+                                                   for word in between.split()]) + [number, 0, 0])
         points, lists = gathered(numpy, cells)
-        path = folder / f'{name}{mixed}.cgns'
-        with h5py.File(path, 'w', track_order=True) as file:
-            node = begin_cgns(numpy, file)
-            base = node(file, 'Base', 'CGNSBase_t', 'I4', numpy.array([3, 3], dtype='i4'))
-            zone = node(base, 'Zone', 'Zone_t', 'I4', numpy.array([[len(points)], [len(lists)], [0]], dtype='i4'))
-            node(zone, 'ZoneType', 'ZoneType_t', 'C1', 'Unstructured')
-            places = node(zone, 'GridCoordinates', 'GridCoordinates_t')
-            for axis in range(3):
-                node(places, 'Coordinate' + 'XYZ'[axis], 'DataArray_t', 'R8', points[:, axis].copy())
-            part = node(zone, 'Cells', 'Elements_t', 'I4', numpy.array([20 if mixed else kind, 0], dtype='i4'))
-            node(part, 'ElementRange', 'IndexRange_t', 'I4', numpy.array([1, len(lists)], dtype='i4'))
-            listed = lists + 1
-            if mixed:
-                listed = numpy.insert(listed, 0, kind, axis=1)
-                node(part, 'ElementStartOffset', 'DataArray_t', 'I4',
-                     (numpy.arange(len(lists) + 1) * listed.shape[1]).astype('i4'))
-            node(part, 'ElementConnectivity', 'DataArray_t', 'I4', listed.ravel().astype('i4'))
-        if name == 'PYRA_13':
-            refused(path, 'PYRA_13')
-        else:
-            check_both(path)
+        zone = node(base, name, 'Zone_t', 'I4', numpy.array([[len(points)], [len(lists)], [0]], dtype='i4'))
+        node(zone, 'ZoneType', 'ZoneType_t', 'C1', 'Unstructured')
+        places = node(zone, 'GridCoordinates', 'GridCoordinates_t')
+        for axis in range(3):
+            node(places, 'Coordinate' + 'XYZ'[axis], 'DataArray_t', 'R8', points[:, axis].copy())
+        part = node(zone, 'Cells', 'Elements_t', 'I4', numpy.array([20 if mixed else kind, 0], dtype='i4'))
+        node(part, 'ElementRange', 'IndexRange_t', 'I4', numpy.array([1, len(lists)], dtype='i4'))
+        listed = lists + 1
+        if mixed:
+            listed = numpy.insert(listed, 0, kind, axis=1)
+            node(part, 'ElementStartOffset', 'DataArray_t', 'I4',
+                 (numpy.arange(len(lists) + 1) * listed.shape[1]).astype('i4'))
+        node(part, 'ElementConnectivity', 'DataArray_t', 'I4', listed.ravel().astype('i4'))
+
+
+def cgns_cubes(folder):
+    """By the tables of the SIDS."""
+    h5py, numpy = need('h5py'), need('numpy')
+    fine = [name for name in CGNS_TYPES if name != 'PYRA_13']
+    for mixed in (False, True):
+        for name, types in (('fine', fine), ('odd', ['PYRA_13'])):
+            path = folder / f'{name}{mixed}.cgns'
+            with h5py.File(path, 'w', track_order=True) as file:
+                write_cgns_cubes(numpy, file, types, mixed)
+            if types is fine:
+                check_both(path, len(fine))
+            else:
+                refused(path, 'PYRA_13')
 
 
 def lattice_of(data, kind, n):
@@ -304,9 +315,9 @@ def higher_cubes(folder):
         cells = [weights @ numpy.array(cell) for cell in corners_of(numpy, corners)]
         path = folder / f'{word}{corners}{n}.vtu'
         write_grid(data, xml, numpy, path, kind, cells)
-        check_cube(path)
+        check_cubes(path, 1)
         if n in (2, 3):
-            check_cube(path, '--refine', 0.01)
+            check_cubes(path, 1, '--refine', 0.01)
         if corners == 8 and n > 1:
             mapped = [data.vtkHigherOrderHexahedron.NodeNumberingMappingFromVTK8To9([n, n, n], i)
                       for i in range(len(weights))]
