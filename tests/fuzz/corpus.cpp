@@ -26,7 +26,9 @@ DataSet describe(const std::string& name, const fs::path& folder)
 	set.name = name;
 	set.folder = folder;
 	for (const auto& entry : fs::recursive_directory_iterator(folder))
-		if (entry.is_regular_file())
+		if (entry.is_directory() && entry.path().extension() == ".zarr")
+			set.inputs.push_back(fs::relative(entry.path(), folder));
+		else if (entry.is_regular_file())
 		{
 			set.files.push_back(fs::relative(entry.path(), folder));
 			set.bytes += entry.file_size();

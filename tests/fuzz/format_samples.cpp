@@ -142,6 +142,42 @@ void writeBinaryGold(const std::string& path)
 	                    "scalar per node: f gold.f\n");
 }
 
+// In text, with two times; one variable has both in one file.
+void writeTextGold(const std::string& path)
+{
+	std::string places, cells, first, second, vectors;
+	for (const int divisor : {1, 3, 6})
+		for (int p = 0; p < 12; ++p)
+		{
+			places += fmt::format("{:12.5e}\n", p / divisor % (divisor == 1 ? 3 : 2) * 1.0);
+			vectors += fmt::format("{:12.5e}\n", p * 0.5);
+		}
+	for (const auto& cube : kCubes)
+	{
+		for (const int corner : cube)
+			cells += fmt::format("{:10}", corner + 1);
+		cells += "\n";
+	}
+	for (int p = 0; p < 12; ++p)
+	{
+		first += fmt::format("{:12.5e}\n", p * 1.0);
+		second += fmt::format("{:12.5e}\n", -p * 1.0);
+	}
+	const std::string part = "part\n         1\n";
+	writeContents(besideIt(path, "text.geo"), "one\ntwo\nnode id off\nelement id off\n" + part +
+	                                              "cubes\ncoordinates\n        12\n" + places + "hexa8\n         2\n" +
+	                                              cells);
+	const auto step = [&](const std::string& values)
+	{ return "BEGIN TIME STEP\nf\n" + part + "coordinates\n" + values + "END TIME STEP\n"; };
+	writeContents(besideIt(path, "text.f"), step(first) + step(second));
+	for (const char* name : {"text.v0", "text.v1"})
+		writeContents(besideIt(path, name), "v\n" + part + "coordinates\n" + vectors);
+	writeContents(path, "FORMAT\ntype: ensight gold\n\nGEOMETRY\nmodel: text.geo\n\nVARIABLE\n"
+	                    "scalar per node: 1 1 f text.f\nvector per node: 1 v text.v*\n\nTIME\ntime set: 1\n"
+	                    "number of steps: 2\nfilename start number: 0\nfilename increment: 1\n"
+	                    "time values: 0.5 1.5\n\nFILE\nfile set: 1\nnumber of steps: 2\n");
+}
+
 std::string foamHead(const std::string& type, const std::string& object)
 {
 	return "FoamFile\n{\n version 2.0;\n format ascii;\n class " + type + ";\n object " + object + ";\n}\n\n";
@@ -197,6 +233,7 @@ std::vector<SampleFile> formatSamples()
 	    sample("pieces.pvti", writePieces),
 	    sample("levels.vthb", writeAmr),
 	    sample("gold.case", writeBinaryGold),
+	    sample("text.case", writeTextGold),
 	    sample("case.foam", writeFoam),
 	    sample("polyhedra.vtu", [](const std::string& p) { writeGrid(twoCubes(VTK_POLYHEDRON), p); }),
 	};
