@@ -133,7 +133,7 @@ void refusePyramids13(const Hdf5File& file)
 			}
 }
 
-// VTK's reader leaves a base out whose times do not rise, and shows the first of the steps that have one time.
+// VTK's reader leaves a base out whose times do not rise, and shows the last of the steps that have one time.
 void checkCgnsTimes(const Hdf5File& file, ManifestWriter& manifest)
 {
 	for (const std::string& base : cgnsChildren(file, "/", "CGNSBase_t"))
@@ -146,7 +146,7 @@ void checkCgnsTimes(const Hdf5File& file, ManifestWriter& manifest)
 				throw Refusal("its times (TimeValues) do not rise, which VTK's CGNS reader wants; write its steps in "
 				              "the order of their times");
 			if (const std::size_t distinct = inOrder(times).size(); distinct < times.size())
-				manifest.warn(fmt::format("{} of its {} steps have the time of another; the first one of each time is "
+				manifest.warn(fmt::format("{} of its {} steps have the time of another; the last one of each time is "
 				                          "shown",
 				                          times.size() - distinct, times.size()));
 		}
