@@ -4,6 +4,7 @@ import concurrent.futures
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -146,5 +147,6 @@ def main(usage, words=None):
             for step in [case.command] if isinstance(case, LeftOut) else case.steps:
                 print(f'{case.room}: {step}')
         return 0
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))  # folders and desktops go
     with tempfile.TemporaryDirectory(prefix='vprobe-same-') as scratch:
         return 0 if run_all(arguments, cases, builds, pathlib.Path(scratch)) else 1

@@ -26,12 +26,12 @@ OPTIONS = (
     '--window 1.5 1 --contour-at 0.2 0.1 --contour-depth 0.4 --origin 0 1.8 0',
     '--vectors tufts --origin 0 1.5 0.1 --vector-lattice 8',
     '--vectors ribbons --origin 0 1.5 0.1 --vector-lattice 5 --vector-steps 12 --vector-jitter 0.5',
-    '--vectors tubes --origin 0 1.5 0.1 --vector-lattice 4 --vector-direction both --path-lines',
+    '--vectors tubes --origin 0 1.5 0.1 --vector-lattice 4 --vector-direction both',
     '--array v --component 1 --symmetric --bands 6',
     '--array v --log --range-of slice --colormap viridis_r',
     '--color-by generation --seeds hotspot --origin 0 1.9 0.1',
     '--threshold -0.2 0.6 --window 2 2 --origin 0 1.9 0.1',
-    '--hanging join --outside refuse --origin 9 9 9',
+    '--hanging interpolate --outside refuse --origin 9 9 9',
     '--origin 9 9 9 --outside nearest --range 0 1',
     '--path revolve --probe paddlewheel --there-and-back',
     '--path spin --window 2 1 --background black --camera 30,20',
@@ -54,7 +54,7 @@ DATA = (
 # What a user of a window may do: actions by their names, and what is saved after each.
 STEPS = ('preset_trihedral', 'push_forward', 'normal_to_camera', 'next_array', 'lines', 'window_bigger', 'contour', 'next_frame',
          'preset_paddlewheel', 'turn_up_plus', 'undo', 'mesh')
-WINDOW_PLANS = 9
+WINDOW_PLANS = 5
 
 
 @dataclasses.dataclass

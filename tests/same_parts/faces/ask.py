@@ -72,7 +72,7 @@ def main():
                 name, settings = rest, {}
             elif word == 'set':
                 key, _, value = rest.partition(' ')
-                settings[key] = value
+                settings[key] = getattr(vprobe.Probe, value)() if key == 'probe' else value
             elif word == 'ask':
                 ask(name, vprobe.open(source, classify=classify), settings)
             elif word == 'draw':
