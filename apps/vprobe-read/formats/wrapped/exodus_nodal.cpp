@@ -91,6 +91,11 @@ void checkExodusBlocks(const NetcdfFile& file)
 void refuseMissingExodus(const std::string& path)
 {
 	const NetcdfFile file(path);
+	// The library makes room for names of this length.
+	constexpr double kMaxNameLength = 1 << 16;
+	const std::vector<double> name_length = file.numbers(NC_GLOBAL, "maximum_name_length");
+	if (!name_length.empty() && !(name_length[0] >= 0.0 && name_length[0] <= kMaxNameLength))
+		throw damaged(fmt::format("it announces names of {} characters", name_length[0]));
 	checkExodusBlocks(file);
 	const std::size_t blocks = file.length("num_el_blk"), variables = file.length("num_elem_var");
 	const int table = file.variable("elem_var_tab");
