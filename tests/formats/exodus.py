@@ -3,6 +3,7 @@ import itertools
 import math
 
 from against import cut, info, need
+from damage import refused as damaged
 from odd import refused
 
 # Nodes between corners, in the order of the Exodus manual and of libMesh.
@@ -160,7 +161,7 @@ def exodus_refused(folder):
         write_cubes(path, [t for t in TYPES if t[0] == 'HEX8'], linear)
         with netcdf4.Dataset(path, 'r+') as file:
             damage(file)
-        refused(path, words)
+        damaged(path, words)
 
 
 CASES = [exodus_types, exodus_orders, exodus_added_nodes, exodus_meshes_alone, exodus_refused]
