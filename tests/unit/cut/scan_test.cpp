@@ -32,7 +32,6 @@ SlicedSheet sheetBy(const grid::BlockSet& blocks, cut::CutRequest request, find:
 cut::CutRequest requestOf(const TestPlane& plane)
 {
 	cut::CutRequest request;
-	request.in_generations = true;
 	request.probe.sheets = {probe::makeSheet(plane.origin, plane.normal)};
 	return request;
 }
