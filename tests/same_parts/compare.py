@@ -1,6 +1,7 @@
 """What differs between two outcomes, in few words."""
 import dataclasses
 
+NEVER_FAIL = ('faces', 'view')  # what fails there compares nothing
 LONGEST = 160  # of a line that is told
 
 
@@ -19,6 +20,9 @@ def differences(room, before, after):
         for item in [*old, *(item for item in new if item not in old)]:
             if old.get(item) != new.get(item):
                 found.append(Difference(room, command, item, told(old.get(item), new.get(item))))
+        if room in NEVER_FAIL and old['exit code'] == new['exit code'] != b'0':
+            last = new['standard error'].strip().split(b'\n')[-1]
+            found.append(Difference(room, command, 'exit code', [f'{shown(new["exit code"])} by both: {shown(last)}']))
     return found
 
 

@@ -38,9 +38,9 @@ OPTIONS = (
     '--threads 1 --samples 4 --size 96x64 --no-legend --title ""',
     '--normal 0 0 0', '--array none', '--size 0x0', '--opacity 2', '--surface z=sin(x',
 )
-# Small pictures, and few frames. Drawing takes ten times as long as cutting, so of the grids each plan is drawn for some.
+# Small pictures, and few frames. Drawing takes ten times as long as cutting, so each plan is drawn for one grid.
 PICTURE = ['--size', '96x64', '--samples', '1']
-DRAWN = 2
+DRAWN = 1
 SWEEP = ['--frames', '3']
 # Well-known data sets of every kind, and how they are cut. The name is a file's below VPROBE_DATA.
 DATA = (

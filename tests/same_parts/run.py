@@ -11,6 +11,8 @@ from . import folders
 from .scrub import scrub
 
 SECONDS_TO_LIVE = 300
+# The system's, for which the module is built; another that comes first on the path may lack numpy.
+PYTHON = '/usr/bin/python3' if os.path.exists('/usr/bin/python3') else sys.executable
 FACE_PROGRAM = pathlib.Path(__file__).parent / 'faces' / 'ask.py'
 KEPT = ('PATH', 'VPROBE_DATA', 'VPROBE_VALIDATION', 'TMPDIR', 'LD_PRELOAD')
 
@@ -88,5 +90,5 @@ class Runner:
         if program == 'face':
             return [str(self.face), *rest], {'LD_LIBRARY_PATH': str(build.library)}
         if program == 'python':
-            return [sys.executable, *rest], {'PYTHONPATH': str(build.python)}
+            return [PYTHON, *rest], {'PYTHONPATH': str(build.python)}
         return step.words, {'DISPLAY': self.desktop} if step.window else {}

@@ -4,7 +4,7 @@ import re
 # Numbers below these keys of JSON are blanked: --stats, profile --json, view --stats.
 MEASURED = {b'"ms"', b'"cut_ms"', b'"frame_ms"', b'"gpu_ms"', b'"setup_ms"', b'"classify_ms"', b'"expand_ms"',
             b'"median"', b'"p95"', b'"noise"', b'"ns_per_cut_cell"', b'"cells_per_second"', b'"break_even_cells"',
-            b'"peak_rss"', b'"peak_mib"', b'"cpu_s"', b'"reader_cpu_s"'}
+            b'"peak_rss"', b'"peak_mib"', b'"bytes_read"', b'"cpu_s"', b'"reader_cpu_s"'}
 # What a window tells of itself: the only number that is not measured.
 OF_WINDOW = b'"validation_messages"'
 JSON_TOKEN = re.compile(rb'"(?:[^"\\]|\\.)*"|[-+0-9.eE]+|[{}\[\]:,]|\s+|[a-z]+|.', re.S)
