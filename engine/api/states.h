@@ -18,7 +18,7 @@
 namespace vprobe
 {
 
-// What stands behind the public classes.
+// The state behind the public classes.
 
 struct View::State
 {
@@ -81,10 +81,10 @@ struct DatasetState : std::enable_shared_from_this<DatasetState>
 	std::size_t cuts = 0;
 	vp::session::FrameRequest request;            // where the next cut is made, in a sweep
 	bool sweeps = false;                          // the cut is a frame of a sweep, so others follow
-	std::weak_ptr<CutBlocks> blocks_of_cuts;      // that share the session's blocks
-	std::optional<vp::read::TimeChoice> moved_to; // a sweep through the times has left the values of this one
-	// Of a wrapped data set, for each block: points and cells as the caller's arrays count them. Cells without a volume
-	// are among them.
+	std::weak_ptr<CutBlocks> blocks_of_cuts;      // block sets of the cuts that share the session's blocks
+	std::optional<vp::read::TimeChoice> moved_to; // after a sweep through the times: the one whose values are loaded
+	// Only for wrapped data sets: the numbers of points and cells of each block, as the caller's arrays count them.
+	// Cells without a volume count too.
 	std::vector<ArraySizes> array_sizes;
 	bool has_callers_device = false;
 	std::optional<vp::gpu::Image> target; // the last picture for an image of the caller's
@@ -100,13 +100,14 @@ struct DatasetState : std::enable_shared_from_this<DatasetState>
 	vp::Result<Cut> cut(std::stop_token stop);                           // as the session has it
 	vp::Result<Image> draw(const Cut& cut, const std::stop_token& stop); // by the settings that were taken last
 	bool fits(const Cut& cut) const;                                     // it is what the settings would cut now
-	// Makes the painter ready for those settings. The cut to draw: another where this one does not fit.
+	// Makes the painter ready for those settings. Returns the cut to draw, which is another one if this one does not
+	// fit.
 	vp::Result<Cut> readyToDraw(const Cut& cut, const std::stop_token& stop);
-	// A caller's device draws and classifies from now on; null: one is opened for the next picture.
+	// From now on the caller's device draws and classifies. If it is null, the next picture opens a device.
 	vp::Status takeDevice(std::shared_ptr<vp::gpu::Device> callers);
 	vp::Status drawForCaller(const Cut& cut, VkExtent2D extent); // into `target`
-	vp::Error afterFailure(const vp::Error& error);              // of drawing; leaves a device that was lost
-	std::shared_ptr<CutBlocks> blocksOfCut();                    // for a cut that is made now
+	vp::Error afterFailure(const vp::Error& error);              // called after drawing failed; closes a lost device
+	std::shared_ptr<CutBlocks> blocksOfCut();                    // returns the blocks for a new cut
 	void keepBlocksOfCuts(); // before arrays change: cuts keep the blocks as they are
 	vp::Status moveTo(const vp::read::TimeChoice& time);
 	vp::Status returnToItsTime(); // time at which the data set was opened

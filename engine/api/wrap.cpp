@@ -81,8 +81,8 @@ struct Wrapper
 	vp::read::CheckedBlock& block;
 	std::uint64_t points = 0;
 	std::uint64_t cells = 0;
-	double tolerance = 0.0;   // of curved cells
-	std::size_t unplaced = 0; // cells left out, since a point has no place
+	double tolerance = 0.0;   // tolerance of curved cells
+	std::size_t unplaced = 0; // number of cells left out because a point is not finite
 
 	void takeLattice(const std::array<std::uint32_t, 3>& lattice)
 	{

@@ -48,7 +48,7 @@ struct SheetCut
 /// Returns the name of a sheet that is not a plane, such as "i=12.5" or "sphere:2".
 std::string surfaceName(const SheetCut& sheet);
 
-/// What was refined for a cut (refine/refiner.h).
+/// Counts of the cells refined for a cut (refine/refiner.h).
 struct RefinedCounts
 {
 	std::size_t looked_at = 0;  // curved cells whose nodes were looked at

@@ -63,8 +63,8 @@ class Cutter
 {
 public:
 	explicit Cutter(const grid::BlockSet& blocks); // CPU classifier
-	// Uses the GPU classifier, and uploads the blocks (section "upload"). The CPU classifies blocks that exceed a limit
-	// of the device, see Cut::warnings.
+	// Uses the GPU classifier, and uploads the blocks (section "upload"). The CPU classifies the blocks that exceed a
+	// device limit, see Cut::warnings.
 	static Result<std::unique_ptr<Cutter>> onDevice(gpu::Device& device, const grid::BlockSet& blocks,
 	                                                const std::optional<grid::FieldChoice>& field, Timeline* timeline);
 	~Cutter();

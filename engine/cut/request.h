@@ -24,18 +24,18 @@ namespace vp::cut
 
 struct Cut; // cut.h
 
-/// What to cut, and how.
+/// Says where to cut, and how.
 struct CutRequest
 {
 	probe::Probe probe;
-	mesh::Corners corners = mesh::Corners::keep; // of windows
+	mesh::Corners corners = mesh::Corners::keep; // what happens at the corners of windows
 	mesh::Hanging hanging = mesh::Hanging::keep;
 	std::optional<grid::FieldChoice> field;
 	std::vector<std::optional<grid::FieldChoice>> sheet_fields; // per sheet, replaces `field`; or empty
 	seed::SeedOptions seeds;
 	// Per sheet, in place of seeds that would be looked for; or null.
 	const std::vector<seed::SheetSeeds>* given_seeds = nullptr;
-	std::optional<find::Threshold> threshold; // of the field's values; the search does not pass cells outside
+	std::optional<find::Threshold> threshold; // range of the field's values; the search does not pass cells outside it
 	bool in_generations = false;              // each cell is met in its generation, which SheetCut knows
 	bool device_first = false;                // a device was asked for by name, see find::PlanRequest
 	std::optional<find::Strategy> strategy;   // for all sheets and blocks; an error if it is not possible

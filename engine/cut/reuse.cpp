@@ -47,7 +47,7 @@ Reuse reuseOf(const CutRequest& request)
 Cut withResting(const CutRequest& request, const Reuse& reuse, Cut moved)
 {
 	Cut whole;
-	whole.warnings = request.last->warnings; // of the blocks, which are the same
+	whole.warnings = request.last->warnings; // warnings about the blocks, which are the same
 	std::size_t next = 0;
 	for (std::size_t s = 0; s < reuse.rests.size(); ++s)
 		whole.sheets.push_back(reuse.rests[s] ? request.last->sheets[s] : std::move(moved.sheets[next++]));

@@ -23,7 +23,7 @@ template <class Surface>
 struct SheetGroup
 {
 	const CutRequest& request;
-	std::vector<std::size_t> numbers; // of the sheets in the request
+	std::vector<std::size_t> numbers; // indices of the sheets in the request
 	std::vector<SheetCut> sheets;     // results are added to their cuts
 	// Below, sheet s in block b has number s * blocks + b.
 	std::vector<find::BlockPlan> plan;

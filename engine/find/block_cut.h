@@ -11,7 +11,7 @@
 namespace vp::find
 {
 
-/// What a strategy found for a sheet in one block: cells with their case codes, or runs of cells.
+/// The cut cells that a strategy found for a sheet in one block: cells with their case codes, or runs of cells.
 struct BlockCut
 {
 	std::variant<CellCut, SpanCut> found;

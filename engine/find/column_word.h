@@ -12,7 +12,8 @@
 namespace vp::find
 {
 
-// What cells of a lattice give to a mesh, a byte each, so that one addition adds them all.
+// Numbers of vertices, polygons and corners that cells of a lattice add to a mesh. Each is a byte, so that one addition
+// adds them all.
 struct CellSums
 {
 	std::uint32_t packed = 0;
@@ -49,7 +50,7 @@ class ColumnWord
 {
 public:
 	static constexpr std::uint32_t kColumns = 16;
-	static constexpr std::uint32_t kMaxCells = 12; // of a word that begins at any column of a quad (see at())
+	static constexpr std::uint32_t kMaxCells = 12; // in a word that may begin at any column of a quad (see at())
 
 	explicit ColumnWord(std::uint64_t bits) : bits_(bits), along_i_(bits ^ bits >> 4) {}
 

@@ -35,8 +35,8 @@ Status checkGridIndex(const grid::BlockSet& blocks, const surface::GridIndexRang
 /// The cells that a grid surface shows, a list a block, as if each had been found in one step of a traversal: those of
 /// the layer it lies in. Where it lies between two layers a cell of the low side (at index 0 of the one above), or,
 /// where that is hidden, the one on the other side. Blocks without subscripts, or that end before the index, have none.
-/// Of two such surfaces on one seam the first block's shows. `filters` (per block, or empty) may turn cells down.
-/// Time follows the surface.
+/// If two such surfaces lie on one seam, the first block's is shown. `filters` (per block, or empty) may reject cells.
+/// The time grows with the size of the surface.
 std::vector<BlockCut> gridIndexCells(const grid::BlockSet& blocks, const surface::GridIndex& at,
                                      std::span<const grid::CellFilter> filters = {});
 

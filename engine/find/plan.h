@@ -39,7 +39,7 @@ std::optional<Strategy> strategyNamed(std::string_view name);
 const char* nameOf(Strategy strategy);
 const char* nameOf(Processor classifier);
 
-/// What a plan needs to know about a request.
+/// The facts about a request that a plan depends on.
 struct PlanRequest
 {
 	std::span<const probe::Sheet> sheets;   // the plan does not keep it
@@ -76,7 +76,7 @@ struct CutPlan
 	bool needs_neighbors = false;
 };
 
-/// What a plan needs to know about a device that classifies.
+/// The facts about a classifying device that a plan depends on.
 struct DeviceProfile
 {
 	std::vector<bool> holds; // per block: true if it is in device memory; false if it exceeds a limit of the device

@@ -9,11 +9,11 @@
 namespace vp::find
 {
 
-// What the sheets of a traversal know their queued cells by; outlives it.
+// Marks the queued cells of each sheet in a traversal. It outlives the traversal.
 class QueuedMarks
 {
 public:
-	// The sheet has its block and its seeds. pool: of the block.
+	// The sheet has its block and its seeds. pool: the block's pool.
 	template <class SheetInBlock>
 	void give(SheetInBlock& sheet, VisitedSet visited, VisitedPool& pool)
 	{

@@ -112,7 +112,7 @@ private:
 		codes |= kNibbleBytes[within] << 4;
 		std::memcpy(&codes_[4 * quad], &codes, 4);
 	}
-	// Of fewer than four points the last ones mean nothing.
+	// If there are fewer than four points, the last entries mean nothing.
 	surface::FourPoints load(PointId first, unsigned count) const
 	{
 		const Number* from = xyz_ + 3 * std::size_t(first);

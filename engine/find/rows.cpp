@@ -152,7 +152,7 @@ private:
 		span.counts = cut.counts;
 		cut.columns.resize(span.columns + count + ColumnWord::kColumns);
 		cases::ColumnCase* columns = &cut.columns[span.columns];
-		constexpr std::uint32_t kCells = ColumnWord::kColumns - 1; // of a word
+		constexpr std::uint32_t kCells = ColumnWord::kColumns - 1; // cells of a word
 		unsigned last = 0;                                         // column
 		for (std::uint32_t x = 0; x < count; x += kCells)
 		{
@@ -225,11 +225,11 @@ private:
 	std::array<std::uint32_t, 3> points_;
 	std::array<std::uint32_t, 3> cells_;
 	std::optional<StraightWindow<G>> window_;
-	std::array<CellRange, 3> range_; // of the cells that may be cut where it counts
+	std::array<CellRange, 3> range_; // per axis: the cells that may be cut inside the window
 	const std::array<CellSums, cases::kColumnCases>& sums_ = cellSums();
-	std::array<std::vector<double>, 3> terms_; // of the distance, per axis
-	bool rises_ = true;                        // the distance along i
-	double points_per_distance_ = 0.0;         // along i, on the mean
+	std::array<std::vector<double>, 3> terms_; // terms of the distance, per axis
+	bool rises_ = true;                        // the distance grows along i
+	double points_per_distance_ = 0.0;         // along i, on average
 };
 
 template <class G>

@@ -39,7 +39,7 @@ std::uint8_t sideOf(double height)
 
 using Sides = HugeVector<std::uint8_t>;
 
-/// Of four points, by whether each is positive.
+/// The sides of four points. The index has a bit for each point that is positive.
 constexpr std::array<std::array<std::uint8_t, 4>, 16> kSidesOfFour = []
 {
 	std::array<std::array<std::uint8_t, 4>, 16> sides{};

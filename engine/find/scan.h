@@ -20,7 +20,7 @@ struct FlatFace
 	bool shown; // its cell is cut, and has the face as its polygon
 };
 
-/// What a scan finds of a sheet in a block.
+/// The result of a scan of one block for one sheet.
 struct Scan
 {
 	CellCut cut;

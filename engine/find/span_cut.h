@@ -14,12 +14,13 @@
 namespace vp::find
 {
 
-// What cut cells of a lattice give to a mesh, apart from those that are to be walked.
+// Numbers of vertices, polygons and corners that cut cells of a lattice add to a mesh. Cells whose faces are walked do
+// not count.
 struct SpanCounts
 {
 	std::uint32_t vertices = 0;
 	std::uint32_t polygons = 0;
-	std::uint32_t corners = 0; // of the polygons
+	std::uint32_t corners = 0; // corners of the polygons
 
 	SpanCounts& operator+=(const SpanCounts& more)
 	{
@@ -33,8 +34,8 @@ struct SpanCounts
 struct SpanCells
 {
 	std::size_t looked_at = 0;
-	std::size_t cut = 0;    // of these: the others are left out
-	std::size_t walked = 0; // of the cut ones: their case has no entry in the table
+	std::size_t cut = 0;    // those that are cut and not left out
+	std::size_t walked = 0; // cut cells whose case has no entry in the table
 
 	SpanCells& operator+=(const SpanCells& more)
 	{
@@ -56,7 +57,7 @@ struct Span
 	std::uint32_t row;
 	std::uint32_t begin;
 	std::uint32_t end;
-	std::uint32_t columns; // of its first column in SpanCut::columns
+	std::uint32_t columns; // index of its first column in SpanCut::columns
 	SpanCounts counts;     // its own; in a SpanCut, those of the spans before it
 };
 
@@ -65,7 +66,7 @@ struct SpanCut
 {
 	RawVector<Span> spans; // ascending by row, then begin
 	RawVector<cases::ColumnCase> columns;
-	SpanCounts counts; // of all
+	SpanCounts counts; // total
 	SpanCells cells;
 	bool classified_at_once = false; // by a device too, as one front
 };

@@ -15,8 +15,8 @@
 namespace vp::find
 {
 
-// The spans of a flood while it runs: every row knows those found in it, whichever thread found them. Takes the part
-// of the visited marks, in 8 bytes a row instead of one a cell.
+// The spans of a flood while it runs. Every row knows the spans found in it, whichever thread found them. The store
+// replaces the visited marks, and takes 8 bytes a row instead of one byte a cell.
 class SpanStore
 {
 	struct Found;
@@ -37,7 +37,7 @@ public:
 	}
 	void prefetch(std::uint32_t row) const { vp::prefetch(&heads_[row]); }
 
-	// What one thread adds, 0 <= thread < kMaxThreads.
+	// Adds the spans that one thread finds, 0 <= thread < kMaxThreads.
 	class Writer
 	{
 	public:
@@ -76,7 +76,7 @@ private:
 	static constexpr std::size_t kChunk = 1 << 12; // records
 	static constexpr std::size_t kChunks = 1 << 12;
 
-	// What one thread found. Records stay where they are, since other threads read them.
+	// The spans that one thread found. Records never move, since other threads read them.
 	struct alignas(64) Found
 	{
 		std::array<std::unique_ptr<Record[]>, kChunks> chunks;

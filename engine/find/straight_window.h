@@ -49,7 +49,7 @@ public:
 			least += std::min(a, b);
 			most += std::max(a, b);
 		}
-		// What rounding may add, far from the origin too.
+		// The error that rounding may add, also far from the origin.
 		const double slack = 1e-12 * (std::abs(least) + std::abs(most) + std::abs(window_.origin()[axis]));
 		CellRange range{grid_.cells()[axis], 0};
 		for (std::uint32_t i = 0; i < grid_.cells()[axis]; ++i)
@@ -63,7 +63,7 @@ public:
 		return range;
 	}
 
-	// Of a cut cell: its i, and its row as in Span.
+	// Returns true if a cut cell meets the window. The cell is given by its i and its row as in Span.
 	bool meets(std::uint32_t i, std::uint32_t row) const
 	{
 		const std::uint32_t k = row / grid_.points()[1];
@@ -98,7 +98,7 @@ private:
 	const G& grid_;
 	const surface::Plane& plane_;
 	const seed::SheetWindow& window_;
-	std::array<std::array<std::vector<double>, 3>, 2> terms_; // of a point's place in the window, per axis
+	std::array<std::array<std::vector<double>, 3>, 2> terms_; // terms of a point's place in the window, per axis
 };
 
 } // namespace vp::find

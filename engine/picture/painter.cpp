@@ -254,7 +254,7 @@ Result<render::Scene> Painter::sceneOf(const cut::Cut& slice, const std::vector<
 		if (choice().camera.followsSheet() && !has_plane)
 			return Error{ErrorKind::usage,
 			             "`camera` sheet: a surface that is no plane has no front; choose another view"};
-		// Of several sheets none is the one to look at.
+		// If there are several sheets, the camera does not look along any of them.
 		const bool by_sheet = slice.sheets.size() == 1 || choice().camera.followsSheet();
 		std::vector<Vec3> extent = extent_;
 		if (choice().window_rims)

@@ -16,7 +16,7 @@ namespace vp::picture
 namespace
 {
 
-constexpr double kRounding = 1e-6; // of single precision, a few operations on
+constexpr double kRounding = 1e-6; // rounding error of single precision after a few operations
 
 double largest(const Vec3& v)
 {

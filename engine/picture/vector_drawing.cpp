@@ -15,14 +15,14 @@ namespace vp::picture
 namespace
 {
 
-// Widths, as shares of the lattice's spacing: what stands side by side is told apart.
+// Widths, as shares of the lattice's spacing. Neighbors stay apart.
 constexpr double kTuftWidth = 0.08;
 constexpr double kLineWidth = 0.06;
 constexpr double kRibbonWidth = 0.4;
 constexpr double kTubeWidth = 0.2;
-// Of the scene's diagonal: in a dense lattice a line is still about a pixel wide.
+// Share of the scene's diagonal. In a dense lattice a line is still about a pixel wide.
 constexpr double kMinLine = 0.0007;
-// Of the width: nearer points of a path are not seen apart.
+// Share of the width. Points of a path that are nearer than this look like one.
 constexpr double kMinPiece = 0.25;
 
 double widthOf(const view::LaunchChoice& choice, const Box& bounds)
@@ -55,7 +55,7 @@ std::vector<double> lengthsOf(const vectors::Traces& traces)
 	return lengths;
 }
 
-// What of the vectors moves the particles.
+// Returns the part of each vector that moves the particles.
 std::vector<Vec3> velocitiesOf(const vectors::Traces& traces, vectors::VectorPart part, const Vec3& normal)
 {
 	vectors::Motion motion{};

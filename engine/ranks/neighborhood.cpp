@@ -21,7 +21,7 @@ bool holds(const Box& box, const Vec3& place)
 	return touch(box, {place, place});
 }
 
-// Of places against the bounds of their cells.
+// Returns how far rounding may move a place out of the bounds of its cell.
 double roundingOf(const std::vector<Box>& boxes)
 {
 	constexpr double kRounding = 1e-6;

@@ -22,11 +22,11 @@ struct Link
 	auto operator<=>(const Link&) const = default;
 };
 
-/// What the things of all ranks come to where they hang together.
+/// The connected components of the items of all ranks.
 struct Together
 {
-	std::size_t count = 0;             // of what does not hang together
-	std::vector<std::uint8_t> marks{}; // of each own thing: the bits of all that it hangs together with
+	std::size_t count = 0;             // number of components
+	std::vector<std::uint8_t> marks{}; // per own item: the bits of all items in its component
 };
 
 /// own: the bits of this rank's things. links: those that this rank knows; others may know the same.

@@ -90,7 +90,7 @@ struct Field
 	std::string units{};
 };
 
-/// What an array of a data set is.
+/// Describes an array of a data set.
 struct ArrayInfo
 {
 	std::string name;

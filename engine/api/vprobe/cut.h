@@ -50,17 +50,17 @@ private:
 	std::shared_ptr<const State> state_;
 };
 
-/// What a sheet shows, in numbers.
+/// Figures that describe what a sheet shows.
 struct Figures
 {
 	double area = 0.0;
-	double boundary_area = 0.0;          // of boundary faces in the plane, which are no part of the rest
-	double nan_area = 0.0;               // of the area, where the value is not finite
+	double boundary_area = 0.0;          // area of boundary faces in the plane; the other figures leave them out
+	double nan_area = 0.0;               // area in which the value is not finite
 	std::optional<double> mean;          // area-weighted
 	std::optional<double> boundary_mean; // the same over the boundary faces in the plane
 	std::optional<double> min;
 	std::optional<double> max;
-	std::optional<double> flux;          // of vectors through the sheet
+	std::optional<double> flux;          // flux of vectors through the sheet
 	std::optional<double> boundary_flux; // the same through the boundary faces in the plane
 	std::size_t components = 0;          // pieces that do not touch
 	std::size_t cut_cells = 0;
@@ -83,12 +83,12 @@ public:
 	std::size_t sheetCount() const;
 	/// sheet < sheetCount(). The polygons of a sheet; with `crinkle` the faces of the cells that are cut.
 	Mesh mesh(std::size_t sheet) const;
-	/// Measured when they are asked for first.
+	/// Returns the sheet's figures. The first call measures them.
 	Figures figures(std::size_t sheet) const;
-	/// Where the sheet stands.
+	/// Returns where the sheet stands.
 	Vector3 origin(std::size_t sheet) const;
 	Vector3 normal(std::size_t sheet) const;
-	/// What was launched from it; empty where nothing was.
+	/// Returns the traces of particles launched from the sheet; empty if none were launched.
 	Traces traces(std::size_t sheet) const;
 
 	/// Surfaces that grew from the sheets.

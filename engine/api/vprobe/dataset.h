@@ -51,7 +51,7 @@ struct Unstructured
 	Numbers types;        // uint8, a cell each: VTK's numbers
 	Numbers offsets;      // int32 or int64, cells + 1 into the connectivity; int32 is copied
 	Numbers connectivity; // int32 or int64 ids of points
-	Numbers face_offsets; // of polyhedra: int64, cells + 1 into the stream; empty without
+	Numbers face_offsets; // int64, cells + 1 into the stream of faces; empty if there are no polyhedra
 	Numbers face_stream;  // int64: per polyhedron faces, then per face its size and its points
 	/// Curved cells need one: the tolerance, between 0 and 1, to which cuts refine the cells that they meet. Nodes are
 	/// in VTK's order since 9.1. Lagrange and Bezier cells have the same degree along all axes unless there is a cell
@@ -72,13 +72,13 @@ struct Block
 	std::string length_units{};
 };
 
-/// The arrays that a data set holds of a block. Where they are shared, they are the caller's. They stay valid as long
-/// as their owners.
+/// The arrays of a block that a data set holds. Shared arrays are the caller's. They stay valid as long as their owners
+/// do.
 struct HeldBlock
 {
 	std::string name;
-	std::vector<Numbers> coordinates; // of the points; of a rectilinear grid the axes x, y and z; of an image none
-	Numbers connectivity;             // of an unstructured grid, as long as it has no neighbors
+	std::vector<Numbers> coordinates; // points; the axes x, y and z of a rectilinear grid; empty for an image
+	Numbers connectivity;             // only for an unstructured grid that has no neighbors yet
 	std::vector<Field> fields;
 };
 
@@ -144,12 +144,12 @@ struct SweepFrame
 {
 	int index = 0;
 	int count = 0;
-	std::optional<double> time{}; // of the values, in a sweep through the times
+	std::optional<double> time{}; // time of the values, in a sweep through the times
 	Cut cut;
 	Image image; // empty where none is drawn
 };
 
-struct DatasetState; // of the library
+struct DatasetState; // internal to the library
 
 /// A data set: grids with arrays, and what makes cuts of them fast. Copies share it. Thread safe: calls on one data set
 /// wait for each other. A cut keeps what it needs of its data set alive.

@@ -9,7 +9,7 @@
 #include <utility>
 #include <variant>
 
-/// What a program that is linked with the library may call. Nothing else is exported.
+/// Marks the functions and classes that the library exports. Nothing else is exported.
 #define VPROBE_API __attribute__((visibility("default")))
 
 namespace vprobe
@@ -22,10 +22,10 @@ enum class ErrorKind : std::uint8_t
 	input,         // input that cannot be used
 	device,        // no usable Vulkan device, or one that was lost; the next call may open another
 	output,        // output that cannot be written
-	found,         // what was looked for was found, where finding it is bad news
+	found,         // the search found something that should not exist
 	cancelled,     // the caller asked to stop
-	out_of_memory, // of the machine or of the device
-	internal       // a mistake of the library's
+	out_of_memory, // the machine or the device has too little memory
+	internal       // a bug in the library
 };
 
 /// One line that names the file or the setting, and the remedy. Settings stand between backquotes as the keys of a

@@ -39,27 +39,27 @@ public:
 	View& operator=(View&& other) noexcept;
 	~View();
 
-	// Where.
+	// Where the probe stands.
 	View& shape(ProbeShape shape);
-	View& origin(const Vector3& place);                  // of the hot spot; default: the center of the bounds
+	View& origin(const Vector3& place);                  // place of the hot spot; default: the center of the bounds
 	View& normal(const Vector3& normal);                 // not zero; default: z
 	View& up(const Vector3& up);                         // not zero, made perpendicular to the normal; default: y
 	View& window(double width, double height);           // along the sheets' x and y; default: the whole slice
-	View& vanes(int count);                              // of a paddlewheel, 1 to 64
-	View& sheets(int count);                             // of a stack, 1 to 64
-	View& offsets(std::span<const double> along_normal); // of a stack
-	View& crinkle(bool whole_cells);                     // the cells that are cut, whole
+	View& vanes(int count);                              // number of vanes of a paddlewheel, 1 to 64
+	View& sheets(int count);                             // number of sheets of a stack, 1 to 64
+	View& offsets(std::span<const double> along_normal); // places of a stack's sheets
+	View& crinkle(bool whole_cells);                     // shows the cut cells whole
 
-	// What.
+	// The values that it shows.
 	View& array(std::string_view name);            // "[point:|cell:]NAME"; default: the first
 	View& component(int component);                // from 0; -1 is the magnitude, the default
 	View& threshold(double lo, double hi);         // ends the search at cells outside
 	View& contour(std::span<const double> values); // surfaces that grow from the sheets
 
-	// How.
-	View& size(std::uint32_t width, std::uint32_t height); // of the picture, pixels
+	// How the picture looks.
+	View& size(std::uint32_t width, std::uint32_t height); // size of the picture in pixels
 	View& colorMap(std::string_view name);
-	View& range(double lo, double hi); // of the colors
+	View& range(double lo, double hi); // values at the two ends of the color map
 	View& opacity(double share);       // 0 to 1
 
 	/// Any setting by its key, as a command line has its value: set("surface", "sphere:1.5"), set("camera", "30,20").

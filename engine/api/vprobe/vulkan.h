@@ -43,7 +43,7 @@ struct VulkanDevice
 	VkInstance instance = VK_NULL_HANDLE;
 	VkPhysicalDevice physical = VK_NULL_HANDLE;
 	VkDevice device = VK_NULL_HANDLE;
-	VkQueue queue = VK_NULL_HANDLE; // of a family for graphics and compute
+	VkQueue queue = VK_NULL_HANDLE; // from a queue family for graphics and compute
 	std::uint32_t queue_family = 0;
 	/// Called before and after the library uses the queue, from the thread that called it or from one that works for
 	/// it. Empty: nobody else uses the queue while a call of the library runs.
@@ -59,7 +59,7 @@ struct VulkanTarget
 	VkFormat format = VK_FORMAT_R8G8B8A8_UNORM; // or R8G8B8A8_SRGB, B8G8R8A8_UNORM: all get the same bytes of sRGB
 	std::uint32_t width = 0;                    // 1 to 16384 pixels
 	std::uint32_t height = 0;
-	VkImageLayout before = VK_IMAGE_LAYOUT_UNDEFINED; // of the image now; what it holds is replaced
+	VkImageLayout before = VK_IMAGE_LAYOUT_UNDEFINED; // layout of the image before the call; its content is replaced
 	VkImageLayout after = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
 };
 

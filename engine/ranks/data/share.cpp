@@ -21,12 +21,12 @@ namespace
 constexpr const char* kKinds[] = {"image", "rectilinear", "curvilinear", "unstructured"};
 constexpr std::size_t kUnstructured = 3;
 
-// Of a block, what ranks that do not hold it know.
+// What the other ranks know about a block that they do not hold.
 struct Described
 {
 	std::size_t kind = 0;
 	Box bounds;
-	Share::Counts counts; // of this block alone
+	Share::Counts counts; // counts for this block alone
 	std::size_t whole = 0;
 	grid::Block block; // without a grid
 };

@@ -19,9 +19,9 @@ class Timeline;
 
 namespace vp::ranks
 {
-/// What the ranks of a team hold of a data set. Each has the blocks of all, in the same order, so that a number means
-/// the same block everywhere. But of a block that another rank holds it has no cells: only its name, its bounds and the
-/// names of its arrays.
+/// The share of a data set that a rank of a team holds. Every rank lists the blocks of all ranks in the same order, so
+/// that a number means the same block everywhere. If another rank holds a block, the list has only its name, its bounds
+/// and the names of its arrays, and no cells.
 struct Share
 {
 	/// Counts of the data set, as one process that reads all of it has them.

@@ -17,7 +17,7 @@ struct SentFace
 {
 	FaceKey key;
 	std::uint32_t polygon;
-	bool is_boundary; // of a cell that is not cut
+	bool is_boundary; // the face belongs to a cell that is not cut
 };
 
 FaceKey faceKey(const mesh::SheetMesh& mesh, std::size_t polygon)

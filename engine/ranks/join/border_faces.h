@@ -11,8 +11,8 @@
 namespace vp::ranks
 {
 
-/// Of faces in the plane that lie on each other, one is shown: the polygon of a cut cell, or the first. Returns the
-/// cells of those that were dropped here.
+/// If faces in the plane lie on each other, only one is shown: the polygon of a cut cell, or else the first face. Drops
+/// the others, and returns the cells of the faces that this rank dropped.
 std::vector<mesh::BlockCell> dropFacesShownElsewhere(Team& team, const std::vector<Box>& boxes, mesh::SheetMesh& mesh);
 
 /// Drops polygons (ascending) of a mesh, and the vertices that no other polygon has.

@@ -23,7 +23,7 @@ namespace vp::ranks
 namespace
 {
 
-/// What the owners of places find.
+/// What the owners of places find about the vertices there.
 struct Found
 {
 	std::vector<Link> links;
@@ -174,7 +174,7 @@ void joinAtSamePlace(Team& team, const std::vector<Box>& boxes, std::vector<RimV
 	    });
 }
 
-/// Of a lattice over space whose cells have this side.
+/// Returns the bin of a place, in a lattice over space whose cells have this side.
 PlacedBin binAt(const Vec3& place, double side)
 {
 	const Vec3 cell(std::floor(place.x / side), std::floor(place.y / side), std::floor(place.z / side));
@@ -252,7 +252,7 @@ Borders join(Team& team, const std::vector<Box>& boxes, const grid::BlockSet& bl
 void shareVertices(Team& team, const std::vector<Box>& boxes, std::vector<RimVertex>& own, Borders& borders)
 {
 	const std::size_t all = own.size();
-	std::vector<Link> links; // of pieces, which are not asked for
+	std::vector<Link> links; // links between pieces, which are not used here
 	joinAtSamePlace(team, boxes, own, links, borders);
 	joinNear(team, boxes, own, links, borders);
 	borders.vertices_elsewhere += all - own.size();

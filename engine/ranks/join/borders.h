@@ -24,15 +24,15 @@ struct SharedVertex
 	std::vector<int> ranks; // the others
 };
 
-/// What a sheet's mesh has in common with those of other ranks.
+/// The vertices and faces that a sheet's mesh shares with the meshes of other ranks.
 struct Borders
 {
-	std::size_t vertices_elsewhere = 0; // of this mesh, counted with the mesh of another rank
-	std::size_t faces_elsewhere = 0;    // boundary polygons that were dropped, since another rank shows them
-	std::vector<mesh::BlockCell> cells_elsewhere{}; // of these
-	std::size_t components = 0;                     // of the meshes of all ranks together
-	std::vector<SharedVertex> shared{};             // a vertex that rounding has parted may have several entries
-	std::vector<int> peers{};                       // the ranks that may have some; ascending
+	std::size_t vertices_elsewhere = 0;             // vertices of this mesh that count with the mesh of another rank
+	std::size_t faces_elsewhere = 0;                // boundary polygons dropped here because another rank shows them
+	std::vector<mesh::BlockCell> cells_elsewhere{}; // cells of the dropped polygons
+	std::size_t components = 0;                     // pieces in the meshes of all ranks together
+	std::vector<SharedVertex> shared{};             // a vertex that rounding has split may have several entries
+	std::vector<int> peers{};                       // ranks that may share vertices; ascending
 	bool hangs = false; // a cell of one rank meets several smaller ones of another: then nothing here holds
 };
 
@@ -62,7 +62,7 @@ void shareVertices(Team& team, const std::vector<Box>& boxes, std::vector<RimVer
 struct MarkedPieces
 {
 	std::vector<std::uint32_t> of_vertex; // its piece
-	std::vector<std::uint8_t> marks;      // of each piece: any bits
+	std::vector<std::uint8_t> marks;      // any bits, one byte per piece
 };
 
 /// Numbers pieces from 0, without marks. roots: per vertex the one that stands for its piece.

@@ -63,7 +63,7 @@ Result<InsideFaces> insideFaces(Team& team, const Share& share, const grid::Bloc
 struct EdgeKey
 {
 	std::uint32_t whole;
-	std::array<double, 6> places; // of its ends in order
+	std::array<double, 6> places; // places of its ends, in order
 
 	auto operator<=>(const EdgeKey&) const = default;
 };

@@ -66,7 +66,7 @@ bool liesAmid(const Point& point, const Side& side)
 	return t > end && t < 1.0 - end && glm::length(point.place - (side.from + t * way)) <= point.near;
 }
 
-/// What came to the owner of a bin.
+/// The sides and points that the owner of a bin receives.
 struct Bin
 {
 	std::vector<std::pair<int, Side>> sides; // with their ranks

@@ -16,7 +16,7 @@ namespace
 using render::EdgeCurves;
 using render::Segment;
 
-// Of the curves along i and j: where they lie at the first layer of points, and at the last one.
+// Indices of the curves along i and j, at the first layer of points and at the last one.
 constexpr std::size_t kBottom[] = {0, 1, 4, 6};
 constexpr std::size_t kTop[] = {2, 3, 5, 7};
 constexpr std::size_t kUpward = 8; // the first of the curves along k

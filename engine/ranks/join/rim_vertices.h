@@ -29,8 +29,8 @@ struct FaceKey
 
 void addCorner(const Vec3& corner, FaceKey& key);
 
-/// A component of a point array at a vertex, and how large the numbers are that it was interpolated from: 0 for names
-/// of categories.
+/// A component of a point array at a vertex, and the magnitude of the numbers that it was interpolated from. The
+/// magnitude is 0 for names of categories.
 struct ValueAt
 {
 	double value;
@@ -45,16 +45,16 @@ struct RimVertex
 	int rank = 0;
 	std::uint32_t vertex = 0;
 	Vec3 place{};
-	double near = 0.0; // so far apart two places may be that are meant to be one
+	double near = 0.0; // largest distance between two places that are meant to be one
 	std::uint32_t component = 0;
 	std::uint32_t whole = 0;      // the block that one process would have
-	bool of_lattice = false;      // of its block, whose pieces share points
-	bool on_edge = true;          // of a cell; else on the rim of a window
-	std::array<Vec3, 2> ends{};   // of its edge; a grid point where it lies on one
-	std::vector<FaceKey> faces{}; // of cells, on which it lies; ascending
+	bool of_lattice = false;      // the block is a lattice, whose pieces share points
+	bool on_edge = true;          // the vertex lies on a cell's edge; else on the rim of a window
+	std::array<Vec3, 2> ends{};   // ends of its edge; the grid point if it lies on one
+	std::vector<FaceKey> faces{}; // faces of cells on which it lies; ascending
 	std::vector<std::pair<std::string, std::vector<ValueAt>>> arrays{}; // by name
 
-	bool isAcross(const RimVertex& other) const;     // a seam
+	bool isAcross(const RimVertex& other) const;     // true if a seam lies between the two
 	bool isOnSameEdge(const RimVertex& other) const; // but for rounding
 	bool hasDataOf(const RimVertex& other) const;
 	/// Whether a join changes neither the place nor a value, as in one process (mesh/join_vertices.h).

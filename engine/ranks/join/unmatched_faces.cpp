@@ -156,7 +156,7 @@ double greatestOf(Team& team, double own)
 std::vector<std::vector<FaceAcross>> facesAcross(Team& team, const std::vector<Box>& boxes,
                                                  std::span<const UnmatchedFace> faces)
 {
-	constexpr double kReach = 2.0; // of a tolerance: centers of faces whose corners are that near
+	constexpr double kReach = 2.0; // in tolerances: how far apart the centers of matching faces may be
 	std::vector<std::vector<FaceAcross>> across(faces.size());
 	std::vector<std::uint32_t> all(faces.size());
 	std::iota(all.begin(), all.end(), 0u);

@@ -47,7 +47,7 @@ struct FaceAcross
 	auto operator<=>(const FaceAcross&) const = default;
 };
 
-/// What faces of several ranks have to do with each other.
+/// Which faces of several ranks lie on each other.
 struct MatchedFaces
 {
 	std::vector<std::vector<FaceAcross>> across; // for each face, those of other ranks that lie on it; ascending

@@ -273,7 +273,7 @@ std::vector<vectors::Launch> launchLattice(const Ranks& ranks, const mesh::Sheet
 	for (const Bytes& bytes : team.gatherAll(message.take()))
 		for (const vectors::Launch& launch : MessageReader(bytes).getAll<vectors::Launch>())
 		{
-			// Of polygons over each other the last counts, as in one process.
+			// If polygons overlap, the last one counts, as in one process.
 			const auto [at, is_new] = by_seed.try_emplace(launch.seed, launch);
 			if (!is_new && (launch.inside || !at->second.inside))
 				at->second = launch;

@@ -9,7 +9,7 @@
 namespace vp::ranks
 {
 
-/// What a rank knows of the blocks of others, for particles that go there.
+/// What a rank knows about the blocks of other ranks, for particles that move there.
 struct ParticleBorders
 {
 	vectors::BlockBorders blocks;

@@ -10,11 +10,11 @@
 namespace vp::ranks
 {
 
-/// What a picture shows around the sheets.
+/// The surroundings of the sheets that a picture shows.
 struct Surroundings
 {
 	std::vector<render::Segment> outline;
-	std::vector<Vec3> extent; // what a fitted camera must show of the blocks
+	std::vector<Vec3> extent; // points of the blocks that a fitted camera must show
 };
 
 /// Of the blocks of a session; with a team, of those of all ranks, as one process that holds them all would have it.

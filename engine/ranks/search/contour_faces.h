@@ -13,7 +13,7 @@ namespace vp::ranks
 /// Which groups of a contour's cells are a part of it.
 struct ReachedGroups
 {
-	std::vector<std::uint8_t> reached; // of each own group: whether it hangs together with what grows from the sheet
+	std::vector<std::uint8_t> reached; // per own group: 1 if it is connected with what grows from the sheet
 	bool hangs = false; // a face of one rank meets several smaller ones of another: then nothing here holds
 };
 

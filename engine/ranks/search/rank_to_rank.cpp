@@ -29,7 +29,7 @@ bool isEmpty(const seed::SheetSeeds& seeds)
 	return std::ranges::all_of(seeds.cells, [](const auto& cells) { return cells.empty(); });
 }
 
-/// What a rank has found for a sheet.
+/// What a rank has found for a sheet's hot spot.
 struct FoundSpot
 {
 	bool is_inside;
@@ -142,7 +142,7 @@ public:
 	{
 		std::erase_if(faces, [&](const auto& face) { return shown_across_.contains({block, face.cell}); });
 	}
-	/// Of the cells that were found: those that have a way out.
+	/// Returns the found cells that have a face on the border to another rank.
 	std::vector<std::pair<std::uint32_t, CellId>> foundIn(const cut::SheetCut& sheet) const
 	{
 		std::vector<std::pair<std::uint32_t, CellId>> found;
