@@ -27,9 +27,9 @@ struct Contour
 	double value = 0.0;
 	mesh::SheetMesh mesh;        // polygons face the side where the values rise
 	std::size_t components = 0;  // number of pieces, see measure/components.h
-	std::size_t cells = 0;       // that the mesh has polygons of
-	std::size_t seeds = 0;       // cells of generation 0
-	std::size_t generations = 0; // of the growth
+	std::size_t cells = 0;       // number of cells that have polygons in the mesh
+	std::size_t seeds = 0;       // number of cells of generation 0
+	std::size_t generations = 0; // number of generations of the growth
 	std::size_t cells_touched = 0;
 };
 
@@ -58,10 +58,10 @@ public:
 	// The window times the depth; without a window the bounds of the mesh take its place.
 	const ClipBox& box() const { return box_; }
 
-	// Of the values that the sheet has at its vertices; none where no value is finite. No other is on the sheet, and so
-	// in a contour of it.
+	// Returns the range of the sheet's values at its vertices, or nothing if no value is finite. No contour that grows
+	// from the sheet has a value outside the range.
 	const std::optional<std::pair<double, double>>& range() const { return range_; }
-	// Where other processes have a part of the sheet: the range of all.
+	// If other processes have parts of the sheet, sets the range of all parts.
 	void setRange(const std::optional<std::pair<double, double>>& range) { range_ = range; }
 	bool mayHave(double value) const;
 

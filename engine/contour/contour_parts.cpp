@@ -17,7 +17,7 @@ namespace
 
 constexpr std::uint32_t kNoGroup = std::numeric_limits<std::uint32_t>::max();
 
-using CellGroups = std::unordered_map<std::uint64_t, std::uint32_t>; // of cells with a way out
+using CellGroups = std::unordered_map<std::uint64_t, std::uint32_t>; // groups of the cells that have a way out
 
 std::uint64_t keyOf(std::size_t block, CellId cell)
 {

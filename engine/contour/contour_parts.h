@@ -16,24 +16,24 @@ struct WayOut
 {
 	std::uint32_t block;
 	grid::BoundaryIndex::Face face;
-	std::uint32_t group; // of its cell
+	std::uint32_t group; // group of the face's cell
 };
 
-// What one of several processes finds of a contour in its blocks: groups of cells that hang together across faces in
-// the box. Group 0 is what grows from the sheet; each of the others has a way out.
+// The part of a contour that one of several processes finds in its blocks: groups of cells that are connected across
+// faces in the box. Group 0 grows from the sheet. Each other group has a way out.
 struct ContourParts
 {
 	double value = 0.0;
 	std::vector<surface::BlockSurface> surfaces;    // per block
 	std::vector<find::CellCut> cuts;                // per block; without generations
-	std::vector<std::vector<std::uint32_t>> groups; // per block, of each cell of its cut
+	std::vector<std::vector<std::uint32_t>> groups; // per block: the group of each cell of its cut
 	std::uint32_t group_count = 1;
 	std::vector<WayOut> ways_out;
-	std::size_t seeds = 0; // of group 0
+	std::size_t seeds = 0; // number of seeds of group 0
 	std::size_t generations = 0;
 };
 
-// Drops the cells of all groups but those that are kept. kept: per group.
+// Drops the cells of all groups that are not kept. kept: per group.
 void keepGroups(const std::vector<std::uint8_t>& kept, ContourParts& parts);
 
 } // namespace vp::contour

@@ -11,7 +11,7 @@ namespace vp::contour
 namespace
 {
 
-constexpr double kRounding = 1e-12; // of the box's size: what only just touches the sheet does
+constexpr double kRounding = 1e-12; // share of the box's size; anything nearer to the sheet touches it
 
 // Joins pieces that meet across faces with several neighbors.
 void joinAcrossLinks(const grid::UnstructuredGrid& grid, std::uint32_t block, const surface::BlockSurface& surface,

@@ -18,12 +18,12 @@ namespace vp::contour
 struct Pieces
 {
 	std::vector<std::uint32_t> of_vertex; // the vertex that stands for its piece
-	std::vector<std::uint8_t> sides;      // of such a vertex: bits of the sides of the sheet on which its piece lies
+	std::vector<std::uint8_t> sides;      // per such vertex: bits of the sides of the sheet on which its piece lies
 };
 
-constexpr std::uint8_t kBothSides = 3; // of a piece that touches the sheet
+constexpr std::uint8_t kBothSides = 3; // the piece touches the sheet
 
-// surfaces: what the mesh is the cut of, as each block sees it.
+// surfaces: the surface that the mesh is cut by, as each block sees it.
 Pieces piecesOf(const grid::BlockSet& blocks, std::span<const surface::BlockSurface> surfaces, const ClipBox& box,
                 const mesh::SheetMesh& mesh);
 

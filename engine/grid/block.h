@@ -31,7 +31,7 @@ struct Block
 	std::string name;
 	AnyGrid grid;
 	std::vector<Field> fields;
-	std::string length_units{}; // of the coordinates, as the file names them; mostly empty
+	std::string length_units{}; // units of the coordinates, as the file names them; mostly empty
 	// Identifies the coordinates and cells of the file. If two blocks of one input at two times have the same number,
 	// they have the same grid. 0: not known.
 	std::uint64_t geometry = 0;
@@ -54,7 +54,7 @@ struct Block
 	    true; // false for a curvilinear grid where nobody looked: then every row gives seeds (seed/row_seeds.h)
 	BlockTree inverted_tree;                     // over `inverted`
 	std::shared_ptr<LazyBlockTree> tree;         // over all cells, for treeOf()
-	std::shared_ptr<LazyCellPlaces> cell_places; // of a hidden lattice, for latticeCellsOf()
+	std::shared_ptr<LazyCellPlaces> cell_places; // only for a hidden lattice, for latticeCellsOf()
 };
 
 // Chooses the order of a curvilinear grid's axes (lattice_axes.h) and finds categorical fields, bounds, the boundary
@@ -80,9 +80,9 @@ struct BlockSet
 {
 	std::vector<Block> blocks;
 	std::vector<double> times;  // in the input, ascending; empty if it has no times
-	std::string time_units{};   // of the times, as the files name them; empty where they differ or name none
+	std::string time_units{};   // units of the times, as the files name them; empty if they differ or are not named
 	std::size_t left_out = 0;   // cells of dimension below three
-	std::size_t unplaced = 0;   // cells that were left out, since a point of theirs has no place (NaN)
+	std::size_t unplaced = 0;   // cells left out because a point of theirs is not finite
 	Interfaces interfaces;      // set by matchInterfaces() when all blocks are finished
 	bool matches_seams = true;  // false: nobody has called matchInterfaces(), since there is to be one cut
 	std::vector<Patch> patches; // named in the files, if somebody asked for them

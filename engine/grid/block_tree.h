@@ -106,8 +106,8 @@ private:
 	void fillBoxes(const G& grid);
 
 	bool in_cubes_ = false;
-	Lattice lattice_;          // of cubes
-	std::vector<CellId> list_; // of runs; empty: all cells
+	Lattice lattice_;          // lattice of the cubes
+	std::vector<CellId> list_; // cells of the runs; empty: all cells
 	std::vector<Node> leaves_;
 	std::vector<Node> groups_;
 };

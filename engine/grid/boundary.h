@@ -25,12 +25,12 @@ struct BoundaryIndex
 	struct Range
 	{
 		Box box;             // around all points of its faces
-		std::uint32_t begin; // of faces (a patch) or of patches (a group)
+		std::uint32_t begin; // first face of a patch, or first patch of a group
 		std::uint32_t end;
 	};
 	std::vector<Face> faces;
-	// Per face its points, in the order of its cell; of three the last one twice. Only of grids that keep coordinates,
-	// and if no face has more than four points.
+	// The points of each face, in the order of its cell. A triangle has its last point twice. Filled only for grids
+	// that keep coordinates, and only if no face has more than four points.
 	std::vector<std::array<PointId, 4>> corners;
 	std::vector<Range> patches;
 	std::vector<Range> groups;

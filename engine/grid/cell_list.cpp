@@ -15,9 +15,9 @@ namespace vp::grid
 namespace
 {
 
-/// Of an id that names no point the number is negative; last: the greatest id that names one. Bits tell it, since many
-/// machines compare no numbers of 64 bits side by side. The difference wraps where the id is negative, but then the id
-/// tells.
+/// Returns a negative number if the id names no point. last: the greatest id that names one. The sign bit tells, since
+/// many machines cannot compare several 64-bit numbers at a time. The difference wraps if the id is negative, but then
+/// the id's own sign bit tells.
 template <class Id>
 Id signOf(Id id, Id last)
 {

@@ -128,8 +128,8 @@ Turn turnOfPlainHexahedron(std::span<const Vec3> p)
 	return plain ? frame.turn() : Turn::mixed;
 }
 
-// The 27 Bernstein coefficients: each edge along u depends on v and w to degree 1, and so on, so their determinant is
-// of degree 2 in each.
+// Uses the 27 Bernstein coefficients. Each edge along u depends on v and w to degree 1, and so on, so their determinant
+// has degree 2 in each.
 Turn turnOfHexahedron(std::span<const Vec3> p)
 {
 	if (const Turn turn = turnOfPlainHexahedron(p); turn != Turn::mixed)

@@ -31,7 +31,7 @@ struct CellPoints
 // All faces of a cell as lists of point ids. Use one object for many cells, to save allocations.
 struct CellFaces
 {
-	std::vector<PointId> points;       // of all faces, one after the other
+	std::vector<PointId> points;       // points of all faces, one face after the other
 	std::vector<std::uint32_t> starts; // faces + 1 offsets into `points`
 
 	int size() const { return starts.empty() ? 0 : static_cast<int>(starts.size()) - 1; }

@@ -13,12 +13,12 @@ namespace vp::grid
 
 struct BlockSet;
 
-// What a face is to the face across a seam.
+// How the size of a face compares with the face across a seam.
 enum class Hang : std::uint8_t
 {
-	none,  // its like
-	small, // a part of it, as at the edge of a finer level
-	large  // the other is a part of this face
+	none,  // both have the same size
+	small, // the face is a part of the other, as at the edge of a finer level
+	large  // the other is a part of the face
 };
 
 // A boundary face, and another face at the same place that does not share its points. The other face belongs to another
@@ -28,7 +28,7 @@ struct SeamLink
 {
 	CellId cell;
 	std::uint32_t face;
-	std::uint32_t block; // of the cell across
+	std::uint32_t block; // block of the cell across
 	CellId other;
 	std::uint32_t other_face;
 	Hang hang = Hang::none;

@@ -168,7 +168,7 @@ private:
 
 	Points points_;
 	std::array<std::uint8_t, 3> axes_{0, 1, 2};
-	std::array<std::uint32_t, 3> source_point_strides_{0, 0, 0}; // of the source's numbers, per axis here
+	std::array<std::uint32_t, 3> source_point_strides_{0, 0, 0}; // in the source's numbers, per axis here
 	std::array<std::uint32_t, 3> source_cell_strides_{0, 0, 0};
 };
 

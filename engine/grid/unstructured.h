@@ -141,7 +141,7 @@ private:
 		return record(c) + width_;
 	}
 
-	std::shared_ptr<const CellList> list_; // of a listed grid, which has only this, points and counts
+	std::shared_ptr<const CellList> list_; // only for a listed grid, which has nothing else but points and counts
 	std::size_t cell_count_ = 0;
 	std::size_t left_out_ = 0;
 	std::size_t source_cell_count_ = 0;

@@ -14,7 +14,7 @@ namespace vp::measure
 // Returns the outlines of all polygons.
 std::vector<PlaneLine> meshOutlines(const mesh::SheetMesh& mesh, std::span<const glm::dvec2> points);
 
-// Of each group the outlines, as Contours::area(). groups: per polygon, from 0 to `count` - 1.
+// Returns the outlines of each group, as Contours::area() does. groups: per polygon, from 0 to `count` - 1.
 std::vector<std::vector<PlaneLine>> groupOutlines(const mesh::SheetMesh& mesh, std::span<const glm::dvec2> points,
                                                   std::span<const std::uint32_t> groups, std::size_t count);
 

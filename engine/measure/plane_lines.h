@@ -35,7 +35,7 @@ struct NetEdge
 	std::uint32_t to;
 };
 
-// Of directed edges those left when a way and its way back cancel: what bounds the triangles they are the sides of.
+// Returns the directed edges that remain when opposite edges cancel. They bound the triangles whose sides are given.
 std::vector<NetEdge> netEdges(std::vector<NetEdge> edges);
 
 // The edges chained, through the places of their ends.

@@ -19,10 +19,10 @@ using PlaneTriangle = std::array<std::uint32_t, 3>; // counter-clockwise, seen a
 struct PlaneTriangles
 {
 	std::vector<glm::dvec2> points; // the mesh's vertices, then the means; see planePoints()
-	std::vector<double> values;     // of the points
+	std::vector<double> values;     // values at the points
 	std::vector<PlaneTriangle> triangles;
-	std::vector<PlaneTriangle> nan_triangles; // of polygons with a corner whose value is NaN
-	std::size_t vertices = 0;                 // of the mesh
+	std::vector<PlaneTriangle> nan_triangles; // triangles of polygons that have a corner with value NaN
+	std::size_t vertices = 0;                 // number of vertices of the mesh
 };
 
 // A place along the frame's x and y axes, from its origin, in the grid's units.

@@ -41,7 +41,7 @@ public:
 			add(
 			    p, [](double off) { return off >= 0.0; }, found);
 		sort(found);
-		// What the line only touches from the other side: the rim of the slice.
+		// Pieces that the line only touches from the other side, at the rim of the slice.
 		std::vector<LinePiece> touched;
 		for (std::size_t p = 0; p < mesh_.polygons(); ++p)
 			if (std::ranges::any_of(mesh_.polygon(p), [&](std::uint32_t v) { return off_[v] == 0.0; }))
@@ -108,8 +108,8 @@ private:
 	}
 
 	const mesh::SheetMesh& mesh_;
-	std::vector<double> off_;   // of each vertex, to the left
-	std::vector<double> along_; // the line from 0 to 1
+	std::vector<double> off_;   // per vertex: its distance to the left of the line
+	std::vector<double> along_; // per vertex: its place along the line, 0 to 1
 };
 
 } // namespace

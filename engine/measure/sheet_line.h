@@ -38,7 +38,7 @@ struct LinePiece
 std::vector<LinePiece> alongLine(const mesh::SheetMesh& mesh, std::span<const glm::dvec2> points, const glm::dvec2& a,
                                  const glm::dvec2& b);
 
-// What lies between two pieces is a gap where it is longer than this part of the line.
+// The space between two pieces is a gap if it is longer than this share of the line.
 constexpr double kLineGap = 1e-7;
 
 } // namespace vp::measure

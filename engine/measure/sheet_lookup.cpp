@@ -171,8 +171,9 @@ bool SheetLookup::holds(std::uint32_t polygon, const glm::dvec2& uv) const
 	return inside;
 }
 
-// Of the triangles that the place lies in one that runs with the polygon, then the one it is deepest in. There is one
-// wherever a ray crosses the outline an odd number of times, since so do the triangles' outlines together.
+// Returns the triangle in which the place lies. Triangles that run with the polygon go first, then the one in which the
+// place lies deepest. There is one wherever a ray crosses the outline an odd number of times, since the triangles'
+// outlines together are the polygon's outline.
 std::optional<SheetPlace> SheetLookup::inFan(std::uint32_t polygon, const glm::dvec2& uv) const
 {
 	const auto corners = mesh_->polygon(polygon);

@@ -13,9 +13,8 @@
 namespace vp::measure
 {
 
-// What a sheet shows at a place: a polygon, and the place in one of the triangles of its fan about the mean of its
-// vertices, whose value is the mean of theirs, as in measure() (stats.h). A linear field comes out exact in any of
-// them.
+// A place on a sheet: a polygon, and the place in one triangle of the polygon's fan about the mean of its vertices. The
+// mean has the mean of their values, as in measure() (stats.h). A linear field is exact in any of the triangles.
 struct SheetPlace
 {
 	std::uint32_t polygon;
@@ -24,7 +23,8 @@ struct SheetPlace
 	std::array<double, 3> weight;        // weights of the corners and of the mean: 0 to 1, with the sum 1
 	bool inside = true;                  // false: the place lies beside the polygon, by rounding
 
-	std::uint32_t nearestVertex() const; // of the corners: what holds for arrays of ids and categories
+	std::uint32_t
+	nearestVertex() const; // returns the nearest corner, whose value counts in arrays of ids and categories
 };
 
 // Finds what lies at places of a sheet: polygons are listed in bins over its plane. Made in time linear in the mesh,
@@ -66,7 +66,7 @@ private:
 
 	const mesh::SheetMesh* mesh_;
 	probe::Frame frame_;
-	Rect rect_; // of the whole mesh
+	Rect rect_; // bounds of the whole mesh
 	Bins bins_{1, 1};
 	glm::dvec2 per_length_{0.0};        // bins
 	std::vector<std::uint32_t> starts_; // bins + 1 offsets into polygons_, rows along x

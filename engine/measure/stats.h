@@ -12,11 +12,11 @@
 namespace vp::measure
 {
 
-// What a sheet shows, in numbers. A polygon counts as the fan of triangles about the mean of its vertices, whose value
-// is the mean of theirs. A triangle that runs against its polygon, as some do where that is concave, counts as
-// negative: so the sum is the polygon, and the integral of a linear field is exact. Boundary faces in the plane have an
-// area and a mean of their own and stay out of the rest but for the range: what is cut is the same then on either side
-// of a plane where cells meet.
+// Figures that describe what a sheet shows. A polygon counts as the fan of triangles about the mean of its vertices;
+// the mean has the mean of their values. In a concave polygon a triangle may run against the polygon. It counts as
+// negative, so the sum is the polygon, and the integral of a linear field is exact. Boundary faces in the plane have an
+// area and a mean of their own. Of the other figures only the range includes them. So the figures are the same on
+// either side of a plane at which cells meet.
 struct SheetMeasure
 {
 	double area = 0.0;

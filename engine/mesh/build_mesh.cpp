@@ -51,7 +51,7 @@ void addFacesInPlane(const G& grid, const ShownBlock& block, SheetMesh& mesh)
 	}
 }
 
-// What is left to do once the polygons of all cut cells are there. normal: of a flat mesh.
+// The last steps, once the mesh has the polygons of all cut cells. normal: the normal of a flat mesh.
 void finishMesh(const grid::BlockSet& blocks, std::span<const ShownBlock> shown, MeshCleanup cleanup,
                 const Vec3& normal, Hanging hanging, SheetMesh& mesh)
 {

@@ -14,8 +14,8 @@
 namespace vp::mesh
 {
 
-/// What a mesh shows of one block: the cells or runs of cells that were found, and the block's boundary faces that lie
-/// in the plane without their cell being cut.
+/// The part of one block that a mesh shows: the cells or runs of cells that were found, and the block's boundary faces
+/// that lie in the plane and whose cells are not cut.
 struct ShownBlock
 {
 	std::uint32_t block;
@@ -23,15 +23,16 @@ struct ShownBlock
 	std::span<const grid::BoundaryIndex::Face> faces_in_plane = {};
 };
 
-/// What was found of a block, which must outlive it.
+/// Returns the part of a block that a mesh shows. The arguments must outlive it.
 ShownBlock shownBlock(std::uint32_t block, const find::BlockCut& cut,
                       std::span<const grid::BoundaryIndex::Face> faces_in_plane = {});
 
-/// Of the whole plane: clipToWindow (clip.h) leaves the part in a window.
+/// Returns the mesh of the whole plane. clipToWindow (clip.h) leaves only the part in a window.
 SheetMesh buildMesh(const grid::BlockSet& blocks, const probe::Sheet& sheet, std::span<const ShownBlock> shown,
                     Hanging hanging = Hanging::keep);
 
-/// Of a curved surface; surfaces: as each block sees it. What was found are cells.
+/// Returns the mesh of a curved surface. surfaces: the surface as each block sees it. Every `found` holds cells, not
+/// runs.
 SheetMesh buildMesh(const grid::BlockSet& blocks, std::span<const surface::BlockSurface> surfaces,
                     std::span<const ShownBlock> shown, Hanging hanging = Hanging::keep);
 

@@ -32,7 +32,7 @@ public:
 			tables_[s] = cases::caseTable(static_cast<grid::CellShape>(s)).data();
 	}
 
-	// What the table knows of a cut cell; null where its faces are to be walked.
+	// Returns the table's entry for a cut cell, or null if the cell's faces must be walked.
 	const cases::Case* entryOf(CellId cell, std::uint32_t code) const
 	{
 		const grid::CellShape shape = grid_.shape(cell);
@@ -134,7 +134,7 @@ private:
 	const Surface& surface_;
 	std::array<const cases::Case*, grid::kTableShapes> tables_;
 	grid::CellFaces faces_;
-	std::vector<PointId> local_points_;    // of the walked cell, ascending
+	std::vector<PointId> local_points_;    // points of the walked cell, ascending
 	std::vector<cases::FacePoint> points_; // the same
 	std::vector<std::uint8_t> positive_;   // the same
 	std::vector<cases::FacePoint> face_;

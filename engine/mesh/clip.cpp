@@ -56,10 +56,10 @@ private:
 	struct Loop
 	{
 		std::vector<std::uint32_t> corners;
-		std::vector<std::uint8_t> is_added; // of each corner; empty where none is (SheetMesh::is_added)
+		std::vector<std::uint8_t> is_added; // per corner; empty if no corner is added (SheetMesh::is_added)
 	};
 
-	// A part that a polygon is left in besides the first.
+	// Another part of a polygon that clipping has split, after the first.
 	struct More
 	{
 		Loop loop;
@@ -370,8 +370,8 @@ private:
 		return !whole_.is_added.empty() && whole_.is_added[i] && within(whole_.corners[i], side) > 0.0;
 	}
 
-	// What is left of whole_, which leaves the side more than once, is parted: the way along the side leads through
-	// places that are not the polygon's.
+	// Splits the rest of whole_ if it leaves the side more than once, because the way along the side leads through
+	// places outside the polygon.
 	void partAlong(unsigned side)
 	{
 		std::vector<std::uint32_t> added;

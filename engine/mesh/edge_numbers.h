@@ -37,8 +37,8 @@ inline PointId higherOf(std::uint64_t edge)
 
 struct NumberedEdges
 {
-	RawVector<std::uint64_t> edges;   // each once, in the order in which they are first met
-	RawVector<std::uint32_t> numbers; // of those that were asked for: places in `edges`
+	RawVector<std::uint64_t> edges;   // each edge once, in the order in which they are first met
+	RawVector<std::uint32_t> numbers; // per edge that was asked for: its index in `edges`
 };
 
 // Numbers edges of a small part of a mesh. Open addressing over four-byte numbers, with the edges beside in their
@@ -47,7 +47,8 @@ struct NumberedEdges
 inline NumberedEdges numberEdges(std::span<const std::uint64_t> asked)
 {
 	constexpr std::uint32_t kEmpty = 0xFFFFFFFFu;
-	constexpr std::uint64_t kGolden = 0x9E3779B97F4A7C15ull; // of 2^64: Fibonacci hashing, upper bits taken
+	constexpr std::uint64_t kGolden =
+	    0x9E3779B97F4A7C15ull; // 2^64 divided by the golden ratio, for Fibonacci hashing; the upper bits are used
 	std::vector<std::uint32_t> slots(std::bit_ceil(2 * asked.size() + 64), kEmpty);
 	const int shift = 64 - std::countr_zero(slots.size());
 	NumberedEdges found;

@@ -22,7 +22,7 @@ struct EdgeEnds
 {
 	TwoDoubles xy_a;
 	TwoDoubles xy_b;
-	TwoDoubles z; // of both
+	TwoDoubles z; // z of both ends
 };
 
 // The same of an edge between points that are kept as numbers.
@@ -81,7 +81,7 @@ private:
 			    firstsOf(along_a, along_b) + secondsOf(along_a, along_b) + (z - places.origin_z_) * places.normal_z_;
 		}
 
-		TwoDoubles heights; // of both
+		TwoDoubles heights; // heights of both ends
 	};
 
 	// The places of two vertices.

@@ -68,7 +68,7 @@ private:
 	// holes. A triangle of the face's fan that runs with the face tells.
 	std::optional<bool> isInside(std::span<const std::uint32_t> vertices, const Vec3& area) const
 	{
-		constexpr double kBeside = 1e-6; // of the triangle's size
+		constexpr double kBeside = 1e-6; // share of the triangle's size
 		Vec3 middle(0.0);
 		for (const std::uint32_t v : vertices)
 			middle += mesh_.positions[v] / static_cast<double>(vertices.size());

@@ -47,7 +47,7 @@ public:
 	// The area; 0 if tidyPolygons() may have to do with the polygon.
 	double checked(double area, const std::uint32_t* fan) const
 	{
-		double square = 0.0; // of the farthest corner's distance
+		double square = 0.0; // squared distance of the farthest corner
 		for (int corner = 1; corner < kCorners; ++corner)
 		{
 			const TwoDoubles way = seen(fan[corner]) - seen(fan[0]);
@@ -56,8 +56,8 @@ public:
 		return std::abs(area) <= kThin * square ? 0.0 : area;
 	}
 
-	// Well above what tidyPolygons() takes for no area; seen along the axis areas and distances are within a factor
-	// of 2.
+	// Well above the area that tidyPolygons() treats as zero. Seen along the axis, areas and distances are right within
+	// a factor of two.
 	static constexpr double kThin = 1e-12;
 
 private:

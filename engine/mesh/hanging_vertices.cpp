@@ -169,10 +169,10 @@ private:
 		                  blocks_.blocks[edge.block].grid);
 	}
 
-	// Of the edges on which a joined vertex lies, it is named after the longest one.
+	// Names each joined vertex after the longest of the edges on which it lies.
 	void chooseNames(std::span<const HangingVertex> vertices)
 	{
-		std::unordered_map<std::uint32_t, std::uint32_t> chosen; // by what stands for the vertex
+		std::unordered_map<std::uint32_t, std::uint32_t> chosen; // by the vertex that represents it
 		const auto offer = [&](std::uint32_t v)
 		{
 			std::uint32_t& best = chosen.try_emplace(joined_.root(v), v).first->second;

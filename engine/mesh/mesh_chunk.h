@@ -17,7 +17,7 @@ namespace vp::mesh
 struct MeshChunk
 {
 	RawVector<std::uint64_t> edges;   // per vertex, in the order in which the cells first meet them
-	RawVector<std::uint32_t> corners; // of all polygons: vertices of the part
+	RawVector<std::uint32_t> corners; // corners of all polygons, as vertices of the part
 	RawVector<std::uint32_t> ends;    // per polygon: one past its last corner
 	RawVector<CellId> cells;          // per polygon
 	RawVector<std::uint32_t> shared;  // the vertices that other parts may have too, ascending
@@ -202,7 +202,7 @@ private:
 		part_.shared.resize(count);
 	}
 
-	// Of a shape's polygon.
+	// The largest number of corners of a polygon from the table.
 	static constexpr int kMaxCorners = Reader::kTetrahedra ? 4 : cases::kMaxPolygon;
 
 	const Reader& reader_;

@@ -33,9 +33,9 @@ public:
 
 private:
 	static constexpr bool kCurved = surface::kIsCurved<Surface>;
-	static constexpr int kMaxCorners = Reader::kTetrahedra ? 4 : cases::kMaxPolygon; // of a shape's polygon
+	static constexpr int kMaxCorners = Reader::kTetrahedra ? 4 : cases::kMaxPolygon; // of a polygon from the table
 
-	static constexpr std::uint32_t kAhead = 16; // vertices, whose edges' ends are fetched in advance
+	static constexpr std::uint32_t kAhead = 16; // number of vertices whose edges' ends are fetched in advance
 
 	void prefetchEnds(std::uint32_t vertex) const
 	{
@@ -150,7 +150,7 @@ private:
 		std::uint32_t* starts = mesh_.polygon_starts.data() + part_.first_polygon + 1;
 		BlockCell* cells = mesh_.polygon_cells.data() + part_.first_polygon;
 		const std::size_t polygons = part_.cells.size();
-		// What is written behind a polygon belongs to the next one, if this part has room for it.
+		// Numbers written behind a polygon belong to the next one, if this part has room for it.
 		const std::size_t room = part_.corners.size();
 		bool slivers = false;
 		std::uint32_t begin = 0;

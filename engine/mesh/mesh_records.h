@@ -59,11 +59,11 @@ private:
 	void writePolygon(std::size_t polygon, std::vector<glm::dvec2>& places, Emit&& emit) const;
 
 	const SheetMesh& mesh_;
-	RawVector<glm::dvec2> places_; // of vertices, in the sheet's frame
+	RawVector<glm::dvec2> places_; // places of the vertices in the sheet's frame
 	UvBounds bounds_;
-	RawVector<float> values_;        // of vertices, or of polygons
-	bool of_vertices_ = false;       // what the values are of
-	RawVector<std::uint8_t> is_one_; // per polygon: its corners in their order are one record
+	RawVector<float> values_;        // values of the vertices or of the polygons
+	bool of_vertices_ = false;       // true if the values belong to vertices
+	RawVector<std::uint8_t> is_one_; // per polygon: 1 if its corners, in their order, are one record
 	std::vector<std::size_t> parts_;
 	std::vector<std::size_t> chunk_starts_; // records before each chunk of polygons, and all
 };

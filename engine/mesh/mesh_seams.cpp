@@ -16,7 +16,8 @@ namespace
 
 using Face = grid::BoundaryIndex::Face;
 
-/// Of the vertices that others have been joined to. Where only polygons without area are, nothing closes a ring.
+/// Returns the open vertices. A joined vertex counts as the one that represents it. Polygons without area close no
+/// ring.
 OpenVertices openVertices(const SheetMesh& mesh, UnionFind& joined)
 {
 	OpenVertices open(mesh.positions.size());

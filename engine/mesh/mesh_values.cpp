@@ -40,7 +40,7 @@ void interpolateEach(std::span<const EdgePoint> edges, const grid::Field& field,
 	const std::byte* numbers = field.bytes.data() + static_cast<std::size_t>(component) * sizeof(Number);
 	const std::size_t stride = static_cast<std::size_t>(field.components) * sizeof(Number);
 	const auto at = [=](PointId p) { return grid::numberAt<Number>(numbers + source_of(p) * stride, 0); };
-	// What an edge's ends have in the array is far apart: it is fetched in advance.
+	// The values at an edge's ends lie far apart in the array, so they are fetched in advance.
 	constexpr std::size_t kAhead = 24;
 	const auto prefetchEnds = [=](const EdgePoint& edge)
 	{

@@ -155,7 +155,7 @@ private:
 	// Where it cuts is uncertain if the sheet runs along it. Or whether they lie on one point.
 	bool areOnePlace(std::uint32_t v, std::uint32_t w) const
 	{
-		constexpr double kApart = 1e-6; // of the edge
+		constexpr double kApart = 1e-6; // share of the edge
 		const EdgePoint& large = mesh_.edges[v];
 		const EdgePoint& small = mesh_.edges[w];
 		const Vec3 a = pointOf(large.block, large.lower);
@@ -235,7 +235,7 @@ private:
 	const grid::Interfaces& interfaces_;
 	const SheetMesh& mesh_;
 	std::vector<CellPolygon> at_seams_; // ascending by cell
-	std::vector<PolygonEdge> edges_;    // of the large cell at hand, on the side at hand
+	std::vector<PolygonEdge> edges_;    // edges of the current large cell on the current side
 	SeamVertices found_;
 };
 

@@ -17,8 +17,8 @@ using VertexPair = std::pair<std::uint32_t, std::uint32_t>;
 struct HangingVertex
 {
 	std::uint32_t vertex;
-	std::size_t polygon; // of the larger cell
-	std::uint32_t from;  // the polygon's edge
+	std::size_t polygon; // the larger cell's polygon
+	std::uint32_t from;  // first end of the polygon's edge
 	std::uint32_t to;
 	double at; // along that edge; 0 or 1 where the vertex is the same place as `from` or `to`
 

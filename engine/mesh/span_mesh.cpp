@@ -140,7 +140,7 @@ private:
 		                     [=](const EdgePoint& edge) { return edgeEnds(xyz, edge.lower, edge.higher); });
 	}
 
-	// Of a grid with straight axes, where points have the coordinates of their rows.
+	// Places a span's vertices in a grid with straight axes, where points have the coordinates of their rows.
 	bool placeOnAxes(std::size_t span)
 	{
 		const std::uint32_t row = cut_.spans[span].row;
@@ -162,7 +162,7 @@ private:
 		    });
 	}
 
-	// Of the vertices [begin, end).
+	// Places the vertices [begin, end).
 	template <class EndsOf>
 	bool placeVertices(std::uint32_t begin, std::uint32_t end, EndsOf endsOf)
 	{

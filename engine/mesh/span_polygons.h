@@ -20,11 +20,11 @@ public:
 		const find::SpanCut& cut;
 		const OwnedVertices* owned; // per column
 		std::uint32_t block;
-		std::uint32_t first_polygon; // of the cut, in the mesh
+		std::uint32_t first_polygon; // the cut's first polygon in the mesh
 		std::uint32_t first_corner;
 	};
 
-	// end: of the spans to come.
+	// end: one past the last span to come.
 	SpanPolygonWriter(const Source& source, const Sense& sense, std::size_t end, SheetMesh& mesh)
 	    : source_(source), sense_(sense), mesh_(mesh), last_corner_(firstCornerOf(end))
 	{
@@ -38,7 +38,7 @@ public:
 		cell_ = cell;
 		polygon_ = source_.first_polygon + begun.counts.polygons;
 		corner_ = firstCornerOf(span);
-		// What is written behind a polygon belongs to the next one, if that is this thread's.
+		// Numbers written behind a polygon belong to the next one, if that is this thread's.
 		has_room_ = firstCornerOf(span + 1) + cases::kMaxLatticeEdges <= last_corner_;
 	}
 
@@ -114,10 +114,10 @@ private:
 	const std::array<const CornerPlaces*, 2> tables_{cornerTable(false).data(), cornerTable(true).data()};
 	std::uint32_t last_corner_;
 	bool has_room_ = false;
-	const cases::ColumnCase* columns_ = nullptr; // of the next cell
-	CellId cell_ = 0;                            // the next
-	std::uint32_t polygon_ = 0;                  // the next
-	std::uint32_t corner_ = 0;                   // its first
+	const cases::ColumnCase* columns_ = nullptr; // column cases from the next cell on
+	CellId cell_ = 0;                            // the next cell
+	std::uint32_t polygon_ = 0;                  // the next polygon
+	std::uint32_t corner_ = 0;                   // its first corner
 	// Nearly all polygons of a grid run the same way. They are read in the order that suited the one before.
 	bool turned_ = false;
 	bool slivers_ = false;

@@ -14,7 +14,7 @@ namespace vp::mesh
 // `normal`; in others (see SheetMesh::flat) polygons keep their sense and `normal` means nothing.
 void tidyPolygons(SheetMesh& mesh, const Vec3& normal = Vec3(0.0));
 
-// What the emission of a mesh leaves to the steps that look at it as a whole.
+// What is left to do after the polygons are made, for the steps that look at the whole mesh.
 struct MeshCleanup
 {
 	bool at_points = false; // vertices lie at grid points, so several may lie at one
@@ -44,8 +44,8 @@ public:
 	bool turn(const Vec3* positions, std::span<std::uint32_t> polygon) const;
 
 private:
-	// Well above what tidyPolygons() takes for no area; seen along the axis areas and distances are within a factor
-	// of 2.
+	// Well above the area that tidyPolygons() treats as zero. Seen along the axis, areas and distances are right within
+	// a factor of two.
 	static constexpr double kThin = 1e-12;
 
 	int u_;
@@ -65,7 +65,7 @@ inline bool Facing::turn(const Vec3* positions, std::span<std::uint32_t> polygon
 	const glm::dvec2 first = seen(polygon[0]);
 	glm::dvec2 to_previous = seen(polygon[1]) - first;
 	bool repeats = polygon[0] == polygon[1] || polygon[0] == polygon.back();
-	double square = glm::dot(to_previous, to_previous); // of the farthest corner's distance
+	double square = glm::dot(to_previous, to_previous); // squared distance of the farthest corner
 	double area = 0.0;
 	for (std::size_t v = 2; v < polygon.size(); ++v)
 	{

@@ -35,11 +35,11 @@ Status checkSheet(const cut::SheetCut& sheet, const char* setting)
 struct ValueThere
 {
 	bool is_there = false;
-	bool is_inside = false; // of a polygon; else beside one, by rounding
+	bool is_inside = false; // the place is inside a polygon; else beside one, by rounding
 	double value = 0.0;
 };
 
-// What the sheet has at a place of its box, 0 to 1 along its sides.
+// Returns the sheet's value at a place of its box. The place runs from 0 to 1 along the box's sides.
 ValueThere valueAt(const contour::BoxContourer& contourer, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh,
                    const std::pair<double, double>& at)
 {

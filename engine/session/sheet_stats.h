@@ -19,7 +19,7 @@ struct SheetStats
 	mesh::SheetMesh mesh;
 	measure::SheetMeasure measure;
 	std::optional<mesh::SheetMesh> crinkle{};        // filled if whole cells are shown
-	double crinkle_area = 0.0;                       // of their faces
+	double crinkle_area = 0.0;                       // area of the faces of the whole cells
 	std::shared_ptr<const vectors::Traces> traces{}; // particles launched from the sheet; or null
 	std::optional<vectors::Flux> flux{};             // flux of vectors through the sheet
 	ranks::Borders borders{};                        // what the mesh shares with those of other ranks

@@ -10,7 +10,8 @@ namespace vp::session
 namespace
 {
 
-// Of no components where there is none, as vectors::vectorsOf() has it.
+// Moves the array out of the fields. If it is not there, returns a field without components, as vectors::vectorsOf()
+// does.
 grid::Field pick(std::vector<grid::Field>& fields, const grid::FieldChoice& array)
 {
 	for (grid::Field& field : fields)

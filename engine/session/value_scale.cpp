@@ -13,7 +13,7 @@ namespace vp::session
 namespace
 {
 
-// Of the highest value: where a logarithmic scale begins in data that reach 0.
+// Share of the highest value at which a logarithmic scale begins if the data reach 0.
 constexpr double kLogReach = 1e-6;
 
 std::string inputName(const Session& session)

@@ -26,12 +26,12 @@ struct CellFan
 {
 	bool loaded = false;
 	grid::CellFaces faces;
-	std::vector<PointId> points; // each once, in an order that follows from the cell alone
-	Vec3 center;                 // their mean, from the cell's origin
-	Vec3 size;                   // of their box
-	grid::CellPlaces places;     // of a polyhedron
+	std::vector<PointId> points; // each point once, in an order that depends on the cell alone
+	Vec3 center;                 // mean of the points, from the cell's origin
+	Vec3 size;                   // size of the points' box
+	grid::CellPlaces places;     // only for a polyhedron
 	bool is_concave = false;     // the center does not see all of a polyhedron's surface, or it has holes
-	// Of a lattice, whose cell may be of another piece: faces and points are numbered in the cell.
+	// Only for lattices, whose cell may belong to another piece. Faces and points are numbered in the cell.
 	std::array<Vec3, 8> corners;
 	std::array<std::array<Vec3, 8>, 2> vectors;
 
@@ -148,7 +148,7 @@ public:
 			}
 	}
 
-	// What knows the places of a fan's points.
+	// Returns the object that knows the places of a fan's points.
 	const auto& fanPoints(const CellFan& fan) const
 	{
 		if constexpr (kIsLattice<G>)
@@ -157,7 +157,7 @@ public:
 			return grid_;
 	}
 
-	// Of a place in a part of the fan.
+	// Returns the vector at a place in a part of the fan.
 	Vec3 fanVector(const CellField& field, const locate::FanPart& part, int time) const
 	{
 		if (onCells())
@@ -208,7 +208,7 @@ private:
 		return isFar(cell) ? far(cell).vectors[time][0] : vectors_[time].at(grid_.sourceCell(cell));
 	}
 
-	// Of an array of points.
+	// Reads the vectors at a cell's points from a point array.
 	template <class Corners>
 	void readVectors(CellId cell, const grid::CellPoints& ids, std::size_t time, Corners& corner) const
 	{

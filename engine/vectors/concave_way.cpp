@@ -88,7 +88,7 @@ int nearestFace(const grid::CellPlaces& cell, const Vec3& place)
 std::optional<LeftThrough> whereLeft(const grid::CellPlaces& cell, const Vec3& from, const Vec3& to, double begun,
                                      bool begins_inside)
 {
-	constexpr double kNothing = 1e-12; // of the way: no place lies between
+	constexpr double kNothing = 1e-12; // share of the way; nothing fits into less
 	const Vec3 way = to - from;
 	std::vector<LeftThrough> passed;
 	forFaceTriangles(cell,

@@ -10,7 +10,7 @@ namespace vp::vectors
 // Where a straight way leaves a cell.
 struct LeftThrough
 {
-	double part; // of the way
+	double part; // how far along the way, 0 to 1
 	int face;
 };
 

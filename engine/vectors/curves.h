@@ -18,8 +18,8 @@ struct Curves
 	std::vector<std::uint32_t> launches;  // per curve: the point, among all, where its particle was launched
 
 	// Per point of all curves.
-	RawVector<Vec3> points;                // no two neighbors alike
-	RawVector<Vec3> directions;            // of unit length, the way the particle goes
+	RawVector<Vec3> points;                // no two neighbors are equal
+	RawVector<Vec3> directions;            // unit vectors along which the particle moves
 	RawVector<std::uint32_t> trace_points; // the point of the traces it follows, and how far on it is to the next, 0..1
 	RawVector<double> parts;
 

@@ -16,7 +16,8 @@
 namespace vp::vectors
 {
 
-// What a process that holds some blocks of a set alone knows of the others, to follow particles over its borders.
+// What a process that holds only some blocks of a set knows about the others. With it particles are followed over the
+// borders between processes.
 struct BlockBorders
 {
 	std::vector<std::uint32_t> whole; // per block, the one that a process which holds all has in its place

@@ -88,7 +88,7 @@ public:
 		place_ = place;
 		if (begin_ && begin_cell_ != kNoCell)
 			moveTo(begin_cell_);
-		double begun = 0.0; // of the way from the begin
+		double begun = 0.0; // the share of the way from the beginning that is done
 		CellId before = kNoCell;
 		double depth_before = 0.0;
 		for (int hop = 0;; ++hop)
@@ -163,8 +163,8 @@ public:
 
 private:
 	static constexpr int kMaxHops = 64;     // steps are kept as short as a cell
-	static constexpr double kNoWay = 1e-12; // of a step
-	static constexpr int kKept = 4;         // cells: a step near an edge comes by as many
+	static constexpr double kNoWay = 1e-12; // share of a step
+	static constexpr int kKept = 4;         // number of cells kept; a step near an edge passes through as many
 
 	struct Nearest
 	{
@@ -235,7 +235,7 @@ private:
 	bool findNear(const CellField& cell, const Vec3& place)
 	{
 		constexpr int kMaxSteps = 3;
-		constexpr double kSmall = 2e-5; // of the cell: what is left then is a small part of it
+		constexpr double kSmall = 2e-5; // share of the cell; the error that remains is a small part of it
 		Vec3 u = u_;
 		for (int step = 0; step < kMaxSteps; ++step)
 		{
@@ -337,8 +337,8 @@ private:
 	int at_ = 0;
 	int next_ = 0;
 	Vec3 u_{0.5};                         // in the present cell
-	Vec3 place_{0.0};                     // of the last call
-	std::optional<Vec3> begin_;           // of the step
+	Vec3 place_{0.0};                     // place of the last call
+	std::optional<Vec3> begin_;           // where the step begins
 	CellId begin_cell_ = kNoCell;         // the cell there if it is concave
 	std::optional<locate::FanPart> part_; // where the present cell is taken as tetrahedra
 	bool predicts_ = false;               // by the inverse

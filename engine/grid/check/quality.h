@@ -29,7 +29,7 @@ struct SetPoint
 	auto operator<=>(const SetPoint&) const = default;
 };
 
-// What is wrong with the cells and points of a block set. Cells and points are in ascending order.
+// Faults of the cells and points of a block set. Cells and points are in ascending order.
 struct Quality
 {
 	// With a point that is listed twice, or two points at one place, unless they are degenerate.
@@ -51,12 +51,12 @@ struct Quality
 	// cells that are neither collapsed nor of an unstructured block are no fault. Nor are they if cells have points of
 	// their own (haveOwnPoints()).
 	bool coincident_at_fault = false;
-	std::vector<SetPoint> orphans; // of no cell
+	std::vector<SetPoint> orphans; // points of no cell
 	// Faces of more than two cells, by the cells around them, lowest first. Cells that share the points of a face, or
 	// whose boundary faces lie on one another; a 2:1 interface is none.
 	std::vector<std::vector<SetCell>> nonmanifold_faces;
-	// Of unstructured blocks: edges with more than two faces of the domain's boundary, and points where the boundary
-	// touches itself without an edge. A cell of each.
+	// Only in unstructured blocks: a cell of each edge with more than two faces of the domain's boundary, and a cell of
+	// each point at which the boundary touches itself without an edge.
 	std::vector<SetCell> nonmanifold_edges;
 	std::vector<SetCell> nonmanifold_points;
 	// Pairs of cells that hold a point in common, deeper than contact; see findOverlaps().
@@ -68,7 +68,7 @@ struct Quality
 Quality checkQuality(const BlockSet& blocks);
 
 // Returns true if no point belongs to two cells of the file, as discontinuous Galerkin methods write them. The copies
-// of a point have values of their own, so nobody forgot to merge them.
+// of a point have values of their own, so they are not meant to be merged.
 bool haveOwnPoints(const UnstructuredGrid& grid);
 
 // Parts of checkQuality().
@@ -86,8 +86,8 @@ struct BlockOverlap
 {
 	std::uint32_t a;
 	std::uint32_t b;     // a < b
-	std::size_t cells;   // of those looked at, how many hold a point in common with the other block
-	std::size_t samples; // cells looked at, of both blocks
+	std::size_t cells;   // number of sampled cells that contain a point of the other block
+	std::size_t samples; // number of sampled cells of both blocks
 };
 
 struct BlockOverlaps

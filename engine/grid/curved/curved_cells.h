@@ -23,7 +23,7 @@ struct CurvedCells
 	/// How far a part may be off, as a share of the cell's size and of the range of an array: between 0 and 1.
 	double tolerance = 0.0;
 	Array<std::int32_t> degrees{}; // three for each cell; empty: the number of nodes tells
-	Array<double> weights{};       // of points, above 0, which make Bezier cells rational; or empty
+	Array<double> weights{};       // weights of the points, above 0, which make Bezier cells rational; or empty
 
 	/// Returns true for quadratic tetrahedra.
 	bool isQuadratic(std::size_t cell) const

@@ -10,7 +10,8 @@ namespace
 
 using Spot = std::array<int, 2>; // in the lattice of a triangle
 
-/// Of a triangle: corners, edges, and what is left likewise.
+/// Returns the lattice points of a triangle: first the corners, then the edges, then the triangle that is left, in the
+/// same way.
 std::vector<Spot> inRings(int degree)
 {
 	if (degree == 0)

@@ -167,7 +167,7 @@ Block makeHexes(int n)
 
 Block makeTets(int n)
 {
-	// Of the vertices of a hexahedron; the first lattice cell is even.
+	// Vertices of a hexahedron, for even and odd lattice cells. The first cell is even.
 	static constexpr std::uint8_t split[2][5][4] = {
 	    {{1, 3, 4, 6}, {0, 1, 3, 4}, {1, 2, 3, 6}, {1, 4, 5, 6}, {3, 4, 6, 7}},
 	    {{0, 2, 7, 5}, {0, 1, 2, 5}, {0, 2, 3, 7}, {0, 4, 5, 7}, {2, 5, 6, 7}}};

@@ -60,11 +60,11 @@ Filled<float> layerPoints(int n)
 	constexpr double kHalfChord = 1.0;
 	constexpr double kHalfThickness = 0.12;
 	constexpr double kSpan = 2.0;
-	constexpr double kSweep = 0.3;     // of x, per unit of the span
+	constexpr double kSweep = 0.3;     // shift of x per unit of the span
 	constexpr double kFlattest = 1e-4; // height of a cell at the wall as a part of its length; 1 at the outside
 	const LatticePoints points(n);
-	const double length = 2.0 * kHalfChord / n; // of a cell, along the chord
-	std::vector<double> height{0.0};            // of the points of a column above the wall
+	const double length = 2.0 * kHalfChord / n; // length of a cell along the chord
+	std::vector<double> height{0.0};            // heights of a column's points above the wall
 	for (int j = 0; j < n; ++j)
 		height.push_back(height.back() +
 		                 length * std::pow(kFlattest, n > 1 ? 1.0 - static_cast<double>(j) / (n - 1) : 0.0));

@@ -25,7 +25,7 @@ bool isFinite(const Vec3& x)
 	return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z);
 }
 
-/// Of the points from begin to end for which takes(p) holds and whose coordinates are finite.
+/// Returns the bounds of the points in [begin, end) for which takes(p) holds and whose coordinates are finite.
 template <class Takes>
 Box boxOf(const Points& points, std::size_t begin, std::size_t end, const Takes& takes)
 {

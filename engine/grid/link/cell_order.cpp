@@ -36,7 +36,7 @@ Box finiteBounds(const Points& points)
 	    });
 }
 
-using Counts = std::array<std::size_t, 256>; // of cells of each VTK type
+using Counts = std::array<std::size_t, 256>; // number of cells of each VTK type
 
 Counts countTypes(std::span<const std::uint8_t> types)
 {

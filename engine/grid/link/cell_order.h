@@ -25,11 +25,11 @@ struct CellOrder
 /// How many cells of a list a grid takes, and of which kinds.
 struct CellCounts
 {
-	std::size_t kept = 0;     // that isSliceable()
-	std::size_t left_out = 0; // of dimension below three
+	std::size_t kept = 0;     // cells for which isSliceable() holds
+	std::size_t left_out = 0; // cells of dimension below three
 	std::size_t tetrahedra = 0;
 	std::size_t polyhedra = 0;
-	bool alike = false; // all are kept, and of one type with a table
+	bool alike = false; // all cells are kept, and have one type with a table
 };
 
 /// Throws std::length_error where a grid has no numbers for so many. One pass over the types, on all cores.

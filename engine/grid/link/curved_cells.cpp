@@ -42,7 +42,7 @@ CellList cornersOf(const CurvedCells& curved, std::span<const Id> nodes)
 	return list;
 }
 
-/// Of the nodes between corners.
+/// Returns the bounds of the nodes between corners.
 Box boundsOfMiddles(const CurvedCells& curved)
 {
 	return tbb::parallel_reduce(

@@ -35,15 +35,16 @@ inline void order(PointId& a, PointId& b)
 	b ^= exchange;
 }
 
-// Of sorted points some of which are the same. Apart from the rest, and rare: a key that lies in memory for this is
-// written in fours and read in eights, for which processors wait a dozen cycles.
+// Returns the key of sorted points some of which are equal. This is rare, and a function of its own: it needs the key
+// in memory, where it is written in four-byte pieces and read in eight-byte pieces, and processors wait a dozen cycles
+// for that.
 [[gnu::noinline]] inline FaceKey withoutRepeats(FaceKey key, int size)
 {
 	std::fill(std::unique(key.ids.begin(), key.ids.begin() + size), key.ids.end(), kNoPoint);
 	return key;
 }
 
-// Of the points `corners` of a table shape, three or four.
+// Returns the key of the points `corners` of a table shape, which are three or four.
 inline FaceKey keyOf(const std::uint32_t* record, const std::array<std::uint8_t, 4>& corners, int size)
 {
 	PointId a = record[corners[0]];

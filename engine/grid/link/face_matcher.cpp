@@ -257,7 +257,7 @@ private:
 		if (std::ranges::none_of(all, &Match::apart))
 			return all;
 		using Pair = std::pair<std::uint32_t, std::uint32_t>;
-		std::vector<Pair> others; // of a candidate: what it matches
+		std::vector<Pair> others; // pairs of a candidate and what it matches
 		for (const Match& match : all)
 		{
 			others.emplace_back(match.a, match.b);

@@ -12,8 +12,8 @@ namespace vp::grid
 
 constexpr std::uint32_t kNoSlot = 0xFFFFFFFFu;
 
-// Faces with one lowest point, some 24 in a mesh of tetrahedra, are compared one with the other up to here; at the tip
-// of a fan of thousands they are sorted.
+// Up to this many faces with one lowest point are compared with each other. In a mesh of tetrahedra there are about 24.
+// At the tip of a fan there may be thousands, which are sorted.
 constexpr std::size_t kMaxCompared = 128;
 
 struct KeyedSlot
@@ -69,8 +69,8 @@ private:
 	static constexpr int kPlaceBits = 8;
 	static constexpr std::uint8_t kFree = 0xFF;
 
-	std::array<std::uint8_t, 1 << kPlaceBits> places_; // hashed: numbers of meetings
-	std::array<std::uint8_t, kMaxCompared> taken_;     // of the meetings: their places
+	std::array<std::uint8_t, 1 << kPlaceBits> places_; // hash table of indices of meetings
+	std::array<std::uint8_t, kMaxCompared> taken_;     // per meeting: its place in the hash table
 	std::array<Meeting, kMaxCompared> meetings_;
 	std::size_t count_ = 0;
 };

@@ -14,7 +14,8 @@ namespace
 
 constexpr std::size_t kBoundaryVantages = 16;
 
-// Of the points that are numbers. Those of a lattice with straight axes are its corners and what lies between.
+// Returns the bounds of the finite points. For a lattice with straight axes, the coordinates along each axis are
+// enough.
 Box boundsOf(const UnstructuredGrid& grid)
 {
 	return boundsOfPoints(grid.coordinates(), grid.usedPointCount());

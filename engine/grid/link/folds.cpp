@@ -123,10 +123,10 @@ Turn turnOfRecord(const RecordReader<kWidth, Number>& reader, CellId cell, bool 
 // is some 50.
 constexpr std::array<std::uint32_t, 3> kBrick{16, 8, 8};
 
-// With fewer along i a brick is settled cell by cell (see edgeBoxes()).
+// A brick with fewer cells along i is checked cell by cell (see edgeBoxes()).
 constexpr std::uint32_t kMinRow = 4;
 
-// Of all cells of a brick, mixed where they are to be asked one by one.
+// Returns the turn of all cells of a brick, or mixed if they must be checked one by one.
 Turn turnOfBrick(const CurvilinearGrid& grid, const std::array<std::uint32_t, 3>& lo,
                  const std::array<std::uint32_t, 3>& size)
 {

@@ -12,8 +12,8 @@ namespace vp::grid
 // The cells at which a grid may be folded over, in ascending order: those that are not turned one way throughout (see
 // turnOf()), and, among those that are not turned the way that most cells of the block are, those that lie on the same
 // side of a face as the cell across. Files often number the points of some cells the other way round: such cells are
-// turned otherwise, but nothing is folded there, and they are not listed. A plane's cut can close within the block, out
-// of reach of its boundary, only through such a cell:
+// turned otherwise, but nothing is folded there, and they are not listed. Only through such a cell can a plane's cut
+// close within the block, where the boundary does not reach it:
 //
 // The cells' maps, glued at their faces, carry the cut's surface within them into the plane. A face is crossed only
 // where its points' signs differ, so a piece whose cut faces all have a neighbor is a closed surface. Were all its

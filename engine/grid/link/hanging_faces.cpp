@@ -18,7 +18,7 @@ namespace vp::grid
 namespace
 {
 
-constexpr double kSmaller = 0.95; // of the larger face's area, at most
+constexpr double kSmaller = 0.95; // largest area of a smaller face, as a share of the larger one's
 
 struct Outline
 {

@@ -88,7 +88,7 @@ bool sortEqualRuns(std::span<KeyedId> items, int first)
 		return end;
 	};
 	const std::size_t chunks = (count + kLongRun - 1) / kLongRun;
-	std::vector<std::size_t> starts(chunks + 1, count); // of runs; found before any is touched
+	std::vector<std::size_t> starts(chunks + 1, count); // where the runs start; found before any run is changed
 	parallelFor(std::size_t(0), chunks,
 	            [&](std::size_t c) { starts[c] = c == 0 ? 0 : endOfRun(c * kLongRun - 1, count); });
 	std::atomic<bool> all_short{true};
