@@ -20,7 +20,7 @@ layout(constant_id = kConstantCells) const uint kCells = kCellsLattice;
 layout(constant_id = kConstantPoints) const uint kPoints = kPointsFloat;
 layout(constant_id = kConstantValues) const uint kValues = kValuesNone;
 
-const uint kMaxEdges = kCells == kCellsRecord4 ? 4u : kMaxRecordVertices; // of a polygon
+const uint kMaxEdges = kCells == kCellsRecord4 ? 4u : kMaxRecordVertices; // largest number of edges of a polygon
 
 VP_ARRAY(kBindPoints, points);
 VP_ARRAY(kBindCells, cells);
@@ -33,9 +33,9 @@ layout(binding = kBindRecords, scalar) writeonly buffer Records { PolygonRecord 
 layout(binding = kBindSheet, scalar) uniform Sheet { ClassifyPlane sheet; };
 layout(push_constant, scalar) uniform Push { ClassifyPush push; };
 
-// Of the cell's vertices. Indexed by constants only: what pick() does instead costs software devices a fifth.
+// The cell's vertices. These arrays are indexed by constants only. pick() makes software devices a fifth slower.
 uint vertex_id[8];
-float vertex_distance[8]; // the ends of a cut edge lie on both sides, so their difference is as good as they are
+float vertex_distance[8]; // the ends of a cut edge lie on both sides, so their difference is as exact as they are
 vec2 vertex_uv[8];
 float vertex_value[8];   // kValuesPoint
 uint positive_mask = 0u; // bit v: vertex v is on the positive side

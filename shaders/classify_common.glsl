@@ -3,7 +3,7 @@ vec3 fromArray(float a[3])
 	return vec3(a[0], a[1], a[2]);
 }
 
-// What is indexed by constants only stays in registers; this picks from it all the same.
+// An array that is indexed by constants only stays in registers. pick() takes an entry from it by a variable index.
 #define VP_PICK(type) \
 	type pick(type a[8], uint v) \
 	{ \

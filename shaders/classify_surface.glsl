@@ -1,9 +1,9 @@
 // Decides the cells of a front against a curved surface: one thread a cell. Only codes are written; the CPU makes the mesh.
 //
-// The CPU in double precision is the truth. Values are computed with a bound on what they may differ from its own by, and
-// a cell with a vertex whose sign that leaves open gets kCodeWalk: the CPU then decides it.
+// The CPU in double precision is the truth. Values are computed with a bound on their difference from the CPU's values.
+// If the bound leaves the sign of a cell's vertex open, the cell gets kCodeWalk: the CPU then decides it.
 //
-// What includes this defines surfaceAt().
+// The including shader defines surfaceAt().
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shared/slice_types.h"
@@ -29,7 +29,7 @@ layout(push_constant, scalar) uniform Push { ClassifyPush push; };
 // f at a point.
 Bounded surfaceAt(Bounded x, Bounded y, Bounded z);
 
-vec3 vertex_place[8]; // of the cell; indexed by constants only
+vec3 vertex_place[8]; // places of the cell's vertices; indexed by constants only
 VP_PICK(vec3)
 
 void fetchPoint(uint v, uint id)

@@ -1,4 +1,4 @@
-// What is in front, multiplied by alpha, over the picture's background; so is the result.
+// Returns `front` over the picture's background. Both `front` and the result are multiplied by alpha.
 vec4 overBackground(vec4 front, float y)
 {
 	vec4 background;

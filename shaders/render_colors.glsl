@@ -39,8 +39,9 @@ uint countUpTo(float y, uint place, uint count)
 	return low;
 }
 
-// What differs between a layer and a surface is defined by who includes this: by how much y comes nearer from one pixel to the
-// next to a level above (`side` 1) or below it (-1), whether a line runs between polygons here, and its opacity.
+// Layers and surfaces differ in these functions, so the including shader defines them. steepness(): how much nearer y
+// comes to a level above it (`side` 1) or below it (-1), from one pixel to the next. lineBetween(): whether a line runs
+// between polygons here. opacityOf(): the opacity.
 float steepness(float y, float side, uint layer, ivec2 pixel);
 float lineBetween(float y, uint above, uint layer, ivec2 pixel);
 float opacityOf(uint layer);

@@ -11,10 +11,10 @@ layout(binding = 0, scalar) uniform Params
 };
 layout(binding = 1) uniform sampler2DArray layers;
 layout(binding = 2) uniform sampler2D lines;
-layout(binding = 3) uniform usamplerBuffer tables; // of the values where colors change, and of levels
-layout(binding = 4) uniform usamplerBuffer colors; // of layers, 16 bits a channel
+layout(binding = 3) uniform usamplerBuffer tables; // values at which colors change, and levels
+layout(binding = 4) uniform usamplerBuffer colors; // colors of layers, 16 bits a channel
 #ifdef SURFACES
-layout(binding = 5, r32ui) uniform readonly uimage2D heads; // of the lists of surface fragments
+layout(binding = 5, r32ui) uniform readonly uimage2D heads; // first entries of the lists of surface fragments
 layout(binding = 6) uniform usamplerBuffer fragments; // SurfaceFragment each, which software reads faster as texels
 layout(binding = 7) uniform usampler2D opaque; // the nearest fragment of opaque surfaces (render_surface_opaque.frag)
 layout(binding = 8) uniform sampler2D opaque_depths;
@@ -66,7 +66,7 @@ void lineDownTo(float depth)
 #include "render_surface_list.glsl"
 #endif
 
-// Of the layers that may be here, a slot each. What lies behind the last is one of them again.
+// Returns the layer in a slot. Each layer that may be here has a slot. Slots after the last one repeat the first layer.
 uint layerIn(uint slot)
 {
 	const uint shown = slot < push.layers ? slot : 0u;
@@ -78,7 +78,8 @@ void composeLayers(ivec2 pixel)
 {
 	const vec2 place = vec2(pixel) + 0.5 - vec2(push.jitter[0], push.jitter[1]);
 
-	// What is here; an empty slot lies behind all. Indices are constant once kSlots is, so the arrays are registers.
+	// The layers here. An empty slot lies behind all others. Indices are constant because kSlots is, so the arrays are
+	// registers.
 	float depths[kSlots];
 	vec2 texels[kSlots];
 	uint places[kSlots];

@@ -14,7 +14,7 @@ layout(binding = 5, scalar) readonly buffer Quads
 };
 layout(binding = 6, scalar) buffer Sums
 {
-	uvec2 sums[]; // of samples times their weight, 16 bits a channel; four pixels a quad
+	uvec2 sums[]; // sums of weighted samples, 16 bits a channel; four pixels a quad
 };
 layout(binding = 7, rgba8) uniform image2D picture;
 
@@ -26,7 +26,7 @@ void main()
 		return;
 	const uint quad = quads[at >> 2];
 	const ivec2 pixel = 2 * ivec2(quad & 0xFFFFu, quad >> 16) + ivec2(at & 1u, (at >> 1) & 1u);
-	if (any(greaterThanEqual(pixel, imageSize(picture)))) // of an odd size
+	if (any(greaterThanEqual(pixel, imageSize(picture)))) // true only if the picture's size is odd
 		return;
 	compose(pixel);
 	vec4 sum = params.sample_weight * front;

@@ -26,7 +26,7 @@ layout(push_constant, scalar) uniform Push
 	EdgePush push;
 };
 
-const uint kColumns = kEdgeTile / 2u; // of quads
+const uint kColumns = kEdgeTile / 2u; // columns of quads in a tile
 
 void listQuad(uvec2 quad)
 {

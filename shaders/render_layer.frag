@@ -42,7 +42,7 @@ float meshLine()
 		around += length(b - a);
 		a = b;
 	}
-	const float width = around > 0.0 ? 2.0 * abs(twice_area) / around : 0.0; // of a square or a long strip about right
+	const float width = around > 0.0 ? 2.0 * abs(twice_area) / around : 0.0; // about right for a square or a long strip
 	return lineCoverage(nearest, width, push.mesh_half_width);
 }
 

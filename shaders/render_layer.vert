@@ -27,7 +27,7 @@ void main()
 {
 	const int record = gl_VertexIndex / int(kMaxRecordVertices);
 	const uint vertices = recordHead(record).y;
-	// What is not there falls together with the first vertex.
+	// Vertices that the record does not have coincide with the first vertex.
 	const uint slot = uint(gl_VertexIndex) % kMaxRecordVertices;
 	const uint vertex = slot < vertices ? slot : 0u;
 

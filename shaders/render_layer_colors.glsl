@@ -1,6 +1,6 @@
-// What coloring a layer asks of the pixels around, which have values of the same layer.
+// The functions that color a layer from the pixels around, which have values of the same layer.
 
-// y of a neighbor, or `here` where it has none.
+// Returns y of a neighbor, or `here` if the neighbor has none.
 float neighbor(ivec2 pixel, ivec2 offset, uint layer, float here)
 {
 	const ivec2 at = pixel + offset;
@@ -13,7 +13,7 @@ float neighbor(ivec2 pixel, ivec2 offset, uint layer, float here)
 	return y > kNoScaled ? y : here;
 }
 
-// Of values that are constant in each polygon lines go between polygons: wherever a neighbor lies beyond a level.
+// If values are constant in each polygon, lines run between polygons: wherever a neighbor's value is beyond a level.
 float lineBetween(float y, uint above, uint layer, ivec2 pixel)
 {
 	const int reach = max(1, int(params.contour_half_width + 0.5));
@@ -27,7 +27,7 @@ float lineBetween(float y, uint above, uint layer, ivec2 pixel)
 	return 0.0;
 }
 
-// Of two neighbors the one that leads to the level counts: the other may lie behind a kink or a jump.
+// Only the neighbor that leads toward the level counts. The other may lie behind a kink or a jump.
 float steepness(float y, float side, uint layer, ivec2 pixel)
 {
 	vec2 rise = vec2(0.0);

@@ -8,15 +8,15 @@
 
 // Draws polygons into a layer of values. Corners are snapped to 1/kSubpixels of a pixel, and what follows is done in whole numbers.
 // A pixel is inside where a ray to the right crosses the outline an odd number of times. So neighbors, who snap a shared corner alike,
-// leave no hole and no pixel to both, even where snapping bends a polygon inwards. What lies on an edge belongs to one side of it, as
-// the hardware's rule has it (left and upper edges).
+// leave no hole and share no pixel, even if snapping bends a polygon inwards. A pixel on an edge belongs to one side of
+// it, by the hardware's rule (left and upper edges).
 //
-// There are three stages (kStage). First one thread takes each polygon, and draws it if it is small. It lists the others. Then a row
-// of threads takes each large polygon. Those that are huge, or reach the near plane or far outside of the picture, come last: they
-// are clipped first, and many rows of threads take each.
+// There are three stages (kStage). First one thread takes each polygon. It draws a small polygon and lists any other.
+// Then one row of threads takes each large polygon. Polygons that are huge, or reach the near plane or far outside the
+// picture, come last: they are clipped, and then many rows of threads take each one.
 //
-// Of a picture's later samples only the surroundings of edges are drawn. A stage of its own (kRasterKeep) lists the polygons there.
-// The first stage then takes those (kRasterKept).
+// In a picture's later samples only the surroundings of edges are drawn. A separate stage (kRasterKeep) lists the
+// polygons there. The first stage then takes those (kRasterKept).
 layout(local_size_x = kRasterGroupSize) in;
 layout(binding = 1, r32f) uniform writeonly image2D layer;
 layout(binding = 2, scalar) buffer Listed
@@ -61,7 +61,7 @@ float turn;              // 1 or -1: the way the polygon runs round
 // The outline's edges, from the upper end.
 ivec2 tops[kOutline];
 ivec2 downs[kOutline]; // to the lower end
-float inverse_downs[kOutline]; // of pixels
+float inverse_downs[kOutline]; // inverse of `downs` in pixels
 
 vec3 row(float r[3])
 {
@@ -228,7 +228,8 @@ void takeEdges()
 	}
 }
 
-// What values between corners need: of a huge polygon on the sheet itself, else in the picture.
+// Prepares the interpolation of values between corners. For a huge polygon it works on the sheet itself, else in the
+// picture.
 void takeWedges()
 {
 	float area = 0.0;
@@ -241,7 +242,7 @@ void takeWedges()
 	turn = area >= 0.0 ? 1.0 : -1.0;
 }
 
-// What every pixel of it has, or 0.
+// Returns the value that every pixel of the polygon has, or 0.
 float wholeOfPolygon()
 {
 	float least = values[0];
@@ -386,7 +387,7 @@ struct Rows
 	uint step;
 };
 
-// Of a row only what lies between its first and its last crossing is looked at: long thin polygons have wide bounds.
+// Visits only the pixels between a row's first and last crossing, since long thin polygons have wide bounds.
 void drawRows(ivec2 first, ivec2 last, Rows rows)
 {
 	const float whole = wholeOfPolygon();
@@ -404,7 +405,8 @@ void drawRows(ivec2 first, ivec2 last, Rows rows)
 			from = lefts[i] > 0 ? min(from, lefts[i]) : from;
 			to = max(to, lefts[i]);
 		}
-		// What lies left of all crossings is inside if they are odd in number, which is where others were cut off at the left.
+		// A pixel left of all crossings is inside if their number is odd. Then other crossings were cut off at the
+		// left.
 		uint crossings = 0u;
 		for (uint i = 0u; i < kOutline; ++i)
 			crossings += uint(lefts[i] > 0);

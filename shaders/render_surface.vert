@@ -8,7 +8,7 @@
 // A corner of a triangle of a surface. It is found by its number, without an index buffer.
 layout(binding = 0) uniform usamplerBuffer triangles;
 layout(binding = 1) uniform samplerBuffer vertices;
-layout(binding = 7) uniform samplerBuffer across_edges; // of each triangle; with kSurfacePolygonValues
+layout(binding = 7) uniform samplerBuffer across_edges; // values across edges; with kSurfacePolygonValues
 layout(push_constant, scalar) uniform Push
 {
 	SurfacePush push;

@@ -21,7 +21,7 @@ layout(location = 7) flat in vec3 across;
 
 #include "render_colors.glsl"
 
-vec2 slope; // of y, along x and y
+vec2 slope; // slope of the value y along the picture's x and y
 
 float steepness(float y, float side, uint layer, ivec2 pixel)
 {
@@ -54,7 +54,7 @@ float shadeOf(uint layer)
 	return kAmbient + (1.0 - kAmbient) * abs(dot(normalize(normal), light));
 }
 
-// Of a thick one: the way through it is longer the more it is seen from the side, up to kLongestWay.
+// The longest way through a thick surface. The more it is seen from the side, the longer the way.
 const float kLongestWay = 3.0;
 
 float opacityOf(uint layer)

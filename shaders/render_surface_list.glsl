@@ -1,6 +1,6 @@
-// Blends a pixel's list of surface fragments, the nearest first. Fragments are taken from the list in batches. A batch has the
-// nearest fragments behind the batch before, so a list of any length is sorted. Fragments of equal depth are sorted by the number
-// of their surface and then by color. So the order in which the device made them has no effect.
+// Blends a pixel's list of surface fragments, the nearest first. Fragments are taken from the list in batches. A batch
+// has the nearest fragments behind the batch before, so a list of any length is sorted. Fragments of equal depth are
+// sorted by their surface's number and then by color. So the order in which the device made them has no effect.
 
 const uint kBatch = 4u;
 const float kOpaque = 1.0 - 1.0 / 4096.0; // nothing behind can be seen
@@ -10,7 +10,7 @@ const float kOpaque = 1.0 - 1.0 / 4096.0; // nothing behind can be seen
 uvec4 batch[kBatch];
 uint batch_left;
 uint list_head;
-uvec4 list_end; // of opaque surfaces
+uvec4 list_end; // the nearest fragment of opaque surfaces
 
 // There are no branches, since software executes both sides.
 bool isBefore(uvec4 a, uvec4 b)

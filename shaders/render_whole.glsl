@@ -1,5 +1,6 @@
-// What a polygon has everywhere, whatever lies between its corners: kNanValue, kInfiniteValue or its negative; else 0. With a NaN, or
-// where only some corners are infinite, nothing can be interpolated. low, high: its corners' least and largest value.
+// Returns the value that a polygon has everywhere: kNanValue, kInfiniteValue or its negative; else 0. If a corner is
+// NaN, or if only some corners are infinite, nothing can be interpolated. low, high: its corners' least and largest
+// value.
 float wholeValue(float low, float high)
 {
 	if (!(low > -kNanFrom && high < kNanFrom))

@@ -11,7 +11,7 @@ namespace
 
 constexpr int kDigitBits = 32;
 constexpr std::int64_t kDigit = std::int64_t(1) << kDigitBits;
-constexpr int kLeastExponent = -1074; // of the lowest bit of the lowest digit
+constexpr int kLeastExponent = -1074; // exponent of the lowest bit of the lowest digit
 
 } // namespace
 

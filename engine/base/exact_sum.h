@@ -21,7 +21,7 @@ public:
 	double value() const;
 
 private:
-	static constexpr int kDigits = 68; // of 32 bits, from 2^-1074 to past the largest double, and room to carry
+	static constexpr int kDigits = 68; // digits of 32 bits, from 2^-1074 to past the largest double, with room to carry
 	static constexpr std::int64_t kMostAdded = std::int64_t(1) << 29;
 
 	void carry();

@@ -47,7 +47,7 @@ public:
 	{
 		return static_cast<unsigned>(_mm_movemask_ps(_mm_cmpge_ps(a.v_, b.v_)));
 	}
-	// Of four times four numbers: bit 4 v + r is that of number v of a[r].
+	// Compares four times four numbers. Bit 4 v + r stands for number v of a[r].
 	friend unsigned bitsAtLeast(const std::array<FourFloats, 4>& a, FourFloats b)
 	{
 		const auto mask = [&](int r) { return _mm_castps_si128(_mm_cmpge_ps(a[r].v_, b.v_)); };

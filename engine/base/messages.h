@@ -11,8 +11,8 @@ namespace vp
 
 enum class Severity : std::uint8_t
 {
-	warning, // the call goes on
-	error    // of Vulkan's validation, in debugging
+	warning, // the call continues
+	error    // a message of Vulkan's validation, when debugging
 };
 
 /// Receives messages for people: one line each, without a line break. Settings stand between backquotes, see Error.

@@ -9,7 +9,8 @@
 namespace vp
 {
 
-// What slices in flight borrow and give back: as many exist as were lent at once. Thread safe; outlives its loans.
+// Objects that running cuts borrow and give back. It makes as many as are lent at the same time. It is thread safe, and
+// must outlive its loans.
 template <class T>
 class Pool
 {

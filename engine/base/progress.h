@@ -7,7 +7,8 @@
 namespace vp
 {
 
-/// What the library is busy with, as "reading FILE"; called with an empty text when it ends. From any thread.
+/// Receives what the library is doing, such as "reading FILE", and an empty text when that ends. It may be called from
+/// any thread.
 using ProgressSink = std::function<void(std::string_view)>;
 
 /// While one lives, work that takes its time is told to its sink. The youngest one hears; without one nobody does.

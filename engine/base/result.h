@@ -16,10 +16,10 @@ enum class ErrorKind : std::uint8_t
 	input,         // input that cannot be used
 	device,        // no usable Vulkan device, or one that was lost; the next call may open another
 	output,        // output that cannot be written
-	found,         // what was looked for was found, where finding it is bad news
+	found,         // the search found something that should not exist
 	cancelled,     // the caller asked to stop
-	out_of_memory, // of the machine or of the device
-	internal       // a mistake of ours
+	out_of_memory, // the machine or the device has too little memory
+	internal       // a bug in the program
 };
 
 /// One line that names the file or the setting, and the remedy. Settings stand between backquotes as the keys of a

@@ -31,7 +31,7 @@ void nameRow(std::uint32_t row, std::string name)
 	rowNames().names[row] = std::move(name);
 }
 
-thread_local std::uint32_t open_sections = 0; // of this thread
+thread_local std::uint32_t open_sections = 0; // number of open sections of this thread
 
 } // namespace
 

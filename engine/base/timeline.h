@@ -65,7 +65,7 @@ private:
 
 // The rows of sections: one for each thread that asks, and others for work elsewhere.
 std::uint32_t threadRow();
-void nameThreadRow(std::string name); // of the calling thread
+void nameThreadRow(std::string name); // names the calling thread's row
 std::uint32_t addRow(std::string name);
 std::string rowName(std::uint32_t row); // "thread 3" if it has no name
 

@@ -10,7 +10,7 @@ namespace vp::cases
 // A face of a cell as indices into the cell's points, in order around the face.
 struct WalkFaces
 {
-	std::vector<std::uint16_t> points; // of all faces, one after the other
+	std::vector<std::uint16_t> points; // points of all faces, one face after the other
 	std::vector<std::uint32_t> starts; // faces + 1 offsets
 
 	int size() const { return starts.empty() ? 0 : static_cast<int>(starts.size()) - 1; }
@@ -31,7 +31,7 @@ struct CutEdge
 // The cut of one cell: closed polygons as their edges in order, and which faces are cut.
 struct CellCut
 {
-	std::vector<CutEdge> edges;          // of all polygons, one after the other
+	std::vector<CutEdge> edges;          // edges of all polygons, one polygon after the other
 	std::vector<std::uint32_t> starts;   // polygons + 1 offsets
 	std::vector<std::uint8_t> face_cuts; // per face: how many of its edges are cut (0, 2, 4 …)
 	bool ambiguous = false;              // some face has four or more cut edges

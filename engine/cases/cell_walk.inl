@@ -28,17 +28,17 @@ struct SegmentEnd
 
 struct WalkScratch
 {
-	std::vector<Crossing> crossings;    // of one face
-	std::vector<Crossing> unpaired;     // of them
-	std::vector<Segment> segments;      // of all faces
+	std::vector<Crossing> crossings;    // crossings of one face
+	std::vector<Crossing> unpaired;     // crossings that have no partner yet
+	std::vector<Segment> segments;      // segments of all faces
 	std::vector<SegmentEnd> ends;       // by edge
 	std::vector<std::uint32_t> partner; // per end: the one where the polygon goes on
 	std::vector<std::uint8_t> done;     // per segment
 };
 
-WalkScratch& walkScratch(); // of this thread
+WalkScratch& walkScratch(); // this thread's scratch memory
 
-// Puts the crossings of one face into `crossings`; false where the face is not one of this cell.
+// Puts the crossings of one face into `crossings`. Returns false if the face does not belong to this cell.
 bool findCrossings(const WalkFaces& faces, int f, std::span<const std::uint8_t> positive,
                    std::vector<Crossing>& crossings);
 

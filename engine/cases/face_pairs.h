@@ -57,7 +57,7 @@ public:
 	};
 
 private:
-	static constexpr double kMaxWarp = 0.1; // of how far points lie from the mean
+	static constexpr double kMaxWarp = 0.1; // share of the points' distance from the mean
 
 	// Whether all triangles about the mean of the points run the same way, or the face is far from flat.
 	bool isMeanEnough(std::span<const FacePoint> face);

@@ -14,7 +14,7 @@ namespace
 // at k, then around the face at k + 1.
 constexpr std::array<std::uint8_t, 8> kCornerOf = {0, 4, 5, 1, 2, 6, 7, 3};
 
-constexpr int kAxisOfBit[3] = {1, 2, 0}; // of the bits of a lattice corner
+constexpr int kAxisOfBit[3] = {1, 2, 0}; // axis of each bit of a lattice corner
 
 LatticeEdge latticeEdge(std::uint8_t a, std::uint8_t b)
 {

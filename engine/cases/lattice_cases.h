@@ -18,19 +18,19 @@ constexpr std::size_t kColumnCases = 2 * kLeftOut;
 // A lattice edge starts at its lower point and runs along i, j or k; that point owns it.
 struct LatticeEdge
 {
-	std::uint8_t row;  // of the four rows of points along the cell: bit 0 is j + 1, bit 1 is k + 1
+	std::uint8_t row;  // one of the four rows of points along the cell: bit 0 is j + 1, bit 1 is k + 1
 	std::uint8_t at;   // 0: at the column i, 1: at i + 1
 	std::uint8_t axis; // 0, 1, 2: along i, j, k
 };
 
-constexpr int kMaxLatticeEdges = 6; // of one polygon
+constexpr int kMaxLatticeEdges = 6; // largest number of edges of one polygon
 
 // The cut of a lattice cell, from the case table of the hexahedron.
 struct LatticeCase
 {
-	std::uint8_t edges = 0;  // of its polygon; 0: nothing is cut, or the walk is needed
+	std::uint8_t edges = 0;  // edges of its polygon; 0: nothing is cut, or the walk is needed
 	bool needs_walk = false; // as in Case
-	// Of the lowest point: bit a: the edge that it owns along axis a is cut.
+	// The cut edges of the lowest point. Bit a is set if the edge that it owns along axis a is cut.
 	std::uint8_t owned = 0;
 	std::uint8_t owned_count = 0;
 	// The edges of the polygon, counter-clockwise seen from the positive side, as in Case. Behind them the first edge

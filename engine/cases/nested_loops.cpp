@@ -21,10 +21,10 @@ using glm::dvec2;
 
 constexpr std::uint32_t kNoLoop = 0xFFFFFFFFu;
 
-// Nearer to a line than this part of the loop's size a place lies on it.
+// A place that is nearer to a line than this share of the loop's size lies on the line.
 constexpr double kOnLoop = 1e-12;
 
-// Of a loop at most so many corners are asked where they lie.
+// Largest number of a loop's corners whose places are tested.
 constexpr std::size_t kAsked = 16;
 
 // A corner of a loop.

@@ -22,9 +22,9 @@ struct ClassifyWorkspace; // gpu_workspace.h
 // Limits that tests tighten; 0 leaves the device's own.
 struct GpuBlocksOptions
 {
-	bool doubles = true; // where the device has exact ones
+	bool doubles = true; // uses doubles if the device has exact ones
 	std::uint32_t page_records = RecordPool::kPageRecords;
-	std::uint64_t max_elements = 0; // of an array
+	std::uint64_t max_elements = 0; // largest number of elements of an array
 	std::uint64_t max_bytes = 0;
 };
 
@@ -56,7 +56,7 @@ public:
 	{
 		return warnings_;
 	}                          // for the user: what was left to the CPU, and why
-	std::size_t bytes() const; // of device memory, record pages included
+	std::size_t bytes() const; // device memory in bytes, record pages included
 
 	// The values of an array, and the pipelines for them, each run once since a driver may compile a shader on its
 	// first use. The arrays asked for last are kept.
@@ -95,7 +95,7 @@ private:
 	std::shared_ptr<RecordPool> records_;
 	SurfacePipelines surface_pipelines_;
 
-	mutable std::mutex mutex_; // of what follows
+	mutable std::mutex mutex_; // guards the members below
 	std::map<PipelineKinds, std::shared_ptr<const gpu::Pipeline>> pipelines_;
 	Fields fields_;
 	std::vector<std::unique_ptr<ClassifyWorkspace>> workspaces_;

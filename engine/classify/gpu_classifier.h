@@ -42,12 +42,12 @@ private:
 	struct Run
 	{
 		const find::Front* front;
-		std::size_t begin; // of its cells in the front
+		std::size_t begin; // index of its first cell in the front
 		std::size_t count;
-		std::size_t offset;                                       // of its cells and codes in the buffers
-		VkBuffer page = nullptr;                                  // none: no records
-		std::uint32_t first = 0;                                  // record
-		std::uint32_t padded = static_cast<std::uint32_t>(count); // records, those that stay empty included
+		std::size_t offset;                                       // offset of its cells and codes in the buffers
+		VkBuffer page = nullptr;                                  // null: no records
+		std::uint32_t first = 0;                                  // first record
+		std::uint32_t padded = static_cast<std::uint32_t>(count); // number of records, including empty ones
 	};
 
 	GpuClassifier(GpuBlocks& blocks, std::vector<GpuSheetInBlock> sheets, OnCpu on_cpu, Timeline* timeline);
@@ -66,11 +66,11 @@ private:
 	Timeline* timeline_;
 	std::unique_ptr<ClassifyWorkspace> workspace_;
 	std::vector<std::uint32_t> cells_done_; // per sheet in a block
-	std::size_t told_stride_;               // between what the shader is told of one and of the next
-	std::size_t code_alignment_;            // of a run's cells and codes, in codes
-	std::uint32_t record_alignment_;        // of a run's records
-	std::vector<Run> runs_;                 // of the generation
-	std::vector<find::Front> cpu_fronts_;   // of the generation
+	std::size_t told_stride_;               // bytes from one surface's parameters to the next one's
+	std::size_t code_alignment_;            // alignment of a run's cells and codes, in codes
+	std::uint32_t record_alignment_;        // alignment of a run's records
+	std::vector<Run> runs_;                 // runs of the generation
+	std::vector<find::Front> cpu_fronts_;   // the generation's fronts that the CPU classifies
 };
 
 } // namespace vp::classify

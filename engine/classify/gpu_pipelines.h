@@ -43,7 +43,7 @@ private:
 	struct Made
 	{
 		PipelineKinds kinds;
-		std::string text; // of the expression; empty for quadrics
+		std::string text; // text of the expression; empty for quadrics
 		std::shared_ptr<const gpu::Pipeline> pipeline;
 	};
 

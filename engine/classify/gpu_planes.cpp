@@ -93,7 +93,7 @@ double fillPlaneAxes(const Lattice& grid, const surface::Plane& plane, const pro
 	return error;
 }
 
-// What the shader is told about a plane in a block.
+// Returns the shader's parameters for a plane in a block.
 shared::ClassifyPlane describePlane(const grid::Block& block, const GpuBlock& on_device, const GpuValues& values,
                                     bool field_chosen, bool doubles, const probe::Sheet& sheet, std::size_t axis_start,
                                     std::span<AxisTexel> axes)

@@ -46,7 +46,7 @@ public:
 
 	gpu::Device& device() const { return device_; }
 	std::uint32_t pageRecords() const { return page_records_; }
-	std::size_t bytes() const; // of all pages, lent or not
+	std::size_t bytes() const; // bytes of all pages, lent or not
 
 private:
 	RecordPool(gpu::Device& device, std::uint32_t page_records) : device_(device), page_records_(page_records) {}
@@ -86,13 +86,13 @@ struct SheetRecords
 	std::shared_ptr<RecordPool> pool;
 	std::vector<Page> pages;
 	std::vector<Run> runs;
-	std::optional<mesh::UvBounds> bounds; // of all polygons, where they are known
+	std::optional<mesh::UvBounds> bounds; // bounds of all polygons, if they are known
 	// Polygons may cover each other, and the last one counts; or polygons of different parts may, and that of the later
 	// part counts. parts: numbers of the records, over all pages, with which each part after the first begins.
 	bool overlapping = false;
 	std::vector<std::size_t> parts;
 
-	std::size_t count() const; // of records, those without vertices included
+	std::size_t count() const; // number of records, including those without vertices
 
 	// Adds pages of records made on the CPU: cells that were walked, and blocks that the device does not hold.
 	Status appendHostRecords(std::span<const shared::PolygonRecord> records);

@@ -27,8 +27,8 @@ struct GpuSheetInBlock
 {
 	std::size_t block = 0;
 	std::shared_ptr<const gpu::Pipeline> pipeline; // null: the CPU classifies its cells
-	gpu::ShaderArray::Place values;                // of the shown array; null: there are none
-	std::shared_ptr<const void> keeps;             // what `values` needs to stay alive
+	gpu::ShaderArray::Place values;                // values of the shown array; null: there are none
+	std::shared_ptr<const void> keeps;             // keeps the memory of `values` alive
 	std::shared_ptr<SheetRecords> records;         // gets the polygons; null: only the codes come back
 	/// Writes what the shader is told, kMaxTold bytes at most, to `told`, and axisTexels() texels to `axes`, of which
 	/// the first is texel `axis_start` of their buffer.
@@ -64,7 +64,7 @@ void describeCells(const grid::AnyGrid& any, std::size_t axis_start, Told& to)
 		to.table_start[shape] = cases::caseTableStart(static_cast<grid::CellShape>(shape));
 }
 
-/// What is not less as a float: a bound stays a bound.
+/// Returns a float that is not less than the value, so an upper bound stays one.
 float boundedAbove(double value);
 
 } // namespace vp::classify

@@ -81,7 +81,7 @@ void describeAxes(const surface::Axes& axes, shared::ClassifySurface& to)
 	}
 }
 
-// What is stored, with the shift, is the difference from `center`.
+// The stored places, plus the shift, are differences from `center`.
 void describePlaces(const GpuBlock& block, const Vec3& half, const Vec3& center, shared::ClassifySurface& to)
 {
 	const bool fixed = block.points && block.points_kind == shared::kPointsFixed;
@@ -102,7 +102,7 @@ void describePlaces(const GpuBlock& block, const Vec3& half, const Vec3& center,
 	}
 }
 
-// What the shader is told about a surface in a block.
+// Returns the shader's parameters for a surface in a block.
 shared::ClassifySurface describeSurface(const grid::Block& block, const GpuBlock& on_device,
                                         const surface::Curved& surface, std::size_t axis_start,
                                         std::span<AxisTexel> axes)

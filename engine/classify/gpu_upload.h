@@ -18,7 +18,7 @@ struct GpuBlock
 	std::uint32_t points_kind = 0; // kPointsFloat …
 	gpu::ShaderArray points;
 	gpu::ShaderArray cells;
-	// Of the points; for fixed-point numbers the center and unit they count from.
+	// The bounds of the points. For fixed-point numbers also the center and the unit that they count from.
 	Box bounds;
 	Vec3 center{0.0};
 	Vec3 unit{1.0};
@@ -28,15 +28,15 @@ struct GpuBlock
 struct GpuValues
 {
 	std::uint32_t kind = 0;         // kValuesNone …
-	std::uint32_t tuple_texels = 0; // a tuple takes so many fours of numbers
+	std::uint32_t tuple_texels = 0; // number of texels of a tuple, of four numbers each
 	bool nearest = false;           // categorical
 	gpu::ShaderArray array;
 };
 
-// What one array may take.
+// The largest size of one array.
 struct GpuLimits
 {
-	std::uint64_t elements; // of 16 bytes
+	std::uint64_t elements; // number of elements of 16 bytes
 	std::uint64_t bytes;
 };
 

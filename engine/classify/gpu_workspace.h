@@ -19,8 +19,8 @@ constexpr std::size_t roundUp(std::size_t value, std::size_t step)
 	return (value + step - 1) / step * step;
 }
 
-// What one slice under way needs on the device, kept from slice to slice: nothing is made per generation but where a
-// front outgrows all before it.
+// The device memory of one running cut. It is kept from cut to cut. A generation allocates only if its front is larger
+// than all fronts before it.
 struct ClassifyWorkspace
 {
 	explicit ClassifyWorkspace(gpu::Device& device) : timers(device, "GPU cut") {}
@@ -33,8 +33,8 @@ struct ClassifyWorkspace
 	Status reserveSheets(gpu::Device& device, std::size_t bytes);
 	Status reserveAxes(gpu::Device& device, std::size_t texels);
 
-	// Waits for what was submitted, and hands each run of cells its codes: run.count from run.offset on, for the cells
-	// of run.front from run.begin on.
+	// Waits for the submitted work, and gives each run its codes: run.count codes from run.offset on, for the cells
+	// from run.begin on in run.front.
 	template <class Run>
 	Status takeCodes(const std::vector<Run>& runs)
 	{

@@ -25,12 +25,12 @@ struct Device::Private
 	bool has_memory_budget = false;
 	std::unique_ptr<Arena> arena;
 
-	// Of a caller's queue; empty for our own.
+	// The locks of a caller's queue; empty for our own queue.
 	std::function<void()> lock_queue;
 	std::function<void()> unlock_queue;
 
 	bool hasRetired();
-	// Takes out what nothing submitted uses any more, once `done` is done.
+	// Takes out the objects that no submitted work uses any more, once `done` is done.
 	std::vector<std::function<void(VkDevice)>> takeDue(std::uint64_t done);
 
 	PFN_vkSetDebugUtilsObjectNameEXT set_name = nullptr;

@@ -10,7 +10,7 @@
 namespace vp::gpu
 {
 
-// What an image is used for, before or after a barrier.
+// The use of an image before or after a barrier.
 struct ImageUse
 {
 	VkImageLayout layout;

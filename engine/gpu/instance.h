@@ -17,7 +17,7 @@ struct Instance
 	VkDebugUtilsMessengerEXT messenger = VK_NULL_HANDLE;
 	bool debug_utils = false;
 	bool validates = false;
-	std::atomic<std::size_t> messages = 0; // of the validation layer
+	std::atomic<std::size_t> messages = 0; // messages of the validation layer
 
 	Instance() = default;
 	~Instance();

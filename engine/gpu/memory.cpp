@@ -74,8 +74,8 @@ struct Arena::Page
 
 Arena::Arena(VkDevice device, const Needs& needs)
     : device_(device), memory_(needs.memory),
-      // With these as alignment and size of every piece, buffers and images may be neighbors, and what the host flushes
-      // of one piece is no part of another.
+      // Every piece is aligned to this, and its size is a multiple of it. So buffers and images may be neighbors, and a
+      // flush by the host never touches another piece.
       granule_(std::max(needs.limits.bufferImageGranularity, needs.limits.nonCoherentAtomSize)),
       map_device_memory_(needs.map_device_memory)
 {

@@ -42,7 +42,7 @@ struct GraphicsPipelineInfo
 	std::string_view fragment_shader;
 	std::vector<Binding> bindings;                 // seen by both stages
 	std::uint32_t push_bytes = 0;                  // seen by both stages
-	std::vector<SpecialisationConstant> constants; // of both stages
+	std::vector<SpecialisationConstant> constants; // used by both stages
 	std::vector<VkVertexInputBindingDescription> vertex_bindings;
 	std::vector<VkVertexInputAttributeDescription> vertex_attributes;
 	VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;

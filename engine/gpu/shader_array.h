@@ -10,7 +10,7 @@ namespace vp::gpu
 class ShaderArray
 {
 public:
-	// What a descriptor names. Null: no array.
+	// The array as a descriptor names it. Null: no array.
 	struct Place
 	{
 		VkBufferView texels = VK_NULL_HANDLE; // null: a storage buffer
@@ -22,7 +22,7 @@ public:
 	// Whether arrays are storage buffers on this device.
 	static bool usesStorage(const Device& device);
 	static VkDescriptorType descriptorType(const Device& device);
-	static std::uint64_t maxElements(const Device& device); // of one array, of 16 bytes each
+	static std::uint64_t maxElements(const Device& device); // largest number of 16-byte elements of one array
 
 	ShaderArray() = default;
 	// format: of an element, if it is a texel. More usage than that of a shader's array may be given.

@@ -9,8 +9,8 @@
 namespace vp::interact
 {
 
-// What a hand does to a camera. Drags are reckoned from the view in which they began, so they do not drift. `scene` is
-// what the near plane is fitted to, such as render::extentOf().
+// How a pointer moves a camera. Drags are computed from the view in which they began, so they do not drift. `scene`
+// holds the points to which the near plane is fitted, such as render::extentOf().
 
 struct TurnOptions
 {
@@ -26,7 +26,8 @@ render::Camera turned(const View& start, const glm::dvec2& from, const glm::dvec
 // About the line of sight, the picture counter-clockwise.
 render::Camera rolled(const render::Camera& camera, double degrees);
 
-// What lies under the first pixel, as deep as `point` (by default the focal point), comes to lie under the second.
+// Moves the camera so that the point under the first pixel comes to lie under the second. The point is as deep as
+// `point`, by default the focal point.
 render::Camera panned(const View& start, const glm::dvec2& from, const glm::dvec2& to, std::span<const Vec3> scene,
                       const std::optional<Vec3>& point = {});
 

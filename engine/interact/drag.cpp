@@ -15,7 +15,7 @@ namespace
 {
 
 constexpr double kFineFactor = 0.1;
-constexpr double kFarthest = 10.0; // of the bounds' diagonal
+constexpr double kFarthest = 10.0; // in diagonals of the bounds
 
 // The sides that a handle moves.
 std::vector<int> sidesOf(const Handle& handle)
@@ -78,7 +78,7 @@ Drag::Pointer Drag::makeEdgePointer(const View& view, double farthest) const
 		const Vec3 corner = pointOn(sheet, {sideOf(w, sides[0]), sideOf(w, sides[1])});
 		return PlanePointer(view, corner, frame_.xAxis(), frame_.up, pixel_, farthest);
 	}
-	// Of the side the point under the pixel.
+	// The point of the side that lies under the pixel.
 	const int axis = sides[0] / 2;
 	glm::dvec2 uv(0.5 * (w.x0 + w.x1), 0.5 * (w.y0 + w.y1));
 	uv[axis] = sideOf(w, sides[0]);

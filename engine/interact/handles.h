@@ -18,7 +18,7 @@ enum class HandleKind
 	center, // moves freely, parallel to the picture
 	sheet,  // the sheet itself, at any place: moves along its normal
 	edge,   // a side of a sheet's window
-	corner  // of a sheet's window
+	corner  // a corner of a sheet's window
 };
 
 // The parts of a probe that the user can drag.
@@ -26,9 +26,9 @@ struct Handle
 {
 	HandleKind kind = HandleKind::center;
 	int axis = 0;          // move, turn: 0, 1, 2 for x, up and normal of the frame it stands at
-	std::size_t sheet = 0; // of the probe; with move, turn and center where `own`
+	std::size_t sheet = 0; // sheet of the probe; used by move, turn and center only if `own`
 	int part = 0;          // edge: 0 to 3 for the sides at x0, x1, y0, y1; corner: see cornerSides()
-	bool own = false;      // at the sheet's frame, not the probe's; moves only this sheet
+	bool own = false;      // the handle is at the sheet's frame, and moves only this sheet
 
 	bool operator==(const Handle&) const = default;
 };

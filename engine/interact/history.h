@@ -57,9 +57,9 @@ public:
 
 	bool canUndo() const { return !done_.empty(); }
 	bool canRedo() const { return !undone_.empty(); }
-	std::size_t steps() const { return done_.size(); } // that can be undone
+	std::size_t steps() const { return done_.size(); } // number of steps that can be undone
 
-	// What undo() would take back, and redo() do; only where they can.
+	// Return the label of the step that undo() or redo() would take. Call them only if there is one.
 	const std::string& undoLabel() const
 	{
 		assert(canUndo());

@@ -9,7 +9,7 @@
 namespace vp::interact
 {
 
-// What wheel and keys do to a probe, step by step; see placing.h too.
+// How wheel and keys move a probe step by step; see also placing.h.
 
 // Along a sheet's normal, `steps` round steps (roundStep) of the bounds forward; negative ones go back. fine: a tenth.
 // own: the sheet alone, else the whole probe.
@@ -33,11 +33,11 @@ probe::Probe magnified(const probe::Probe& probe, std::size_t sheet, double fact
 constexpr double kMinMagnification = 1e-3;
 constexpr double kMaxMagnification = 1e6;
 
-// What is shown at `from` comes to be shown at `to`.
+// Pans the magnifier, so that the content shown at `from` is then shown at `to`.
 probe::Probe magnifierPanned(const probe::Probe& probe, std::size_t sheet, const glm::dvec2& from,
                              const glm::dvec2& to);
 
-// Without fx: what is shown is what is there.
+// Removes the magnifier (fx), so that the sheet shows the content at its own place.
 probe::Probe withoutMagnifier(const probe::Probe& probe, std::size_t sheet);
 
 // A part turned to face the eye, by the least angle.

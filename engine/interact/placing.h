@@ -8,10 +8,10 @@
 namespace vp::interact
 {
 
-// What moves: one sheet of a probe, within it, or the whole probe where none is given.
+// The part of a probe that moves: one sheet, or the whole probe if none is given.
 using Part = std::optional<std::size_t>;
 
-// A part's frame in the world.
+// Returns a part's frame in the world.
 probe::Frame frameOf(const probe::Probe& probe, const Part& part);
 
 // The probe with a part at another frame, given in the world.

@@ -17,8 +17,8 @@ bool isEdgeOn(const Vec3& arm, const Vec3& normal)
 	return std::abs(glm::dot(arm, normal)) < kEdgeOn * glm::length(arm);
 }
 
-// Of a line of sight and a plane: where it meets the plane, from a point of the plane, as `flat / weight`. Behind the
-// horizon the weight is negative, and `flat` goes on smoothly.
+// Where a line of sight meets a plane, as `flat / weight` from a point of the plane. Behind the horizon the weight is
+// negative, and `flat` stays smooth.
 struct Meeting
 {
 	Vec3 flat;

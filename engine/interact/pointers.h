@@ -5,9 +5,10 @@
 namespace vp::interact
 {
 
-// What the way of a pointer over the picture means along an axis, about one, and in a plane. Each begins at a pixel and
-// tells how far another is from there; nothing depends on the pixels between, so nothing drifts. `farthest` bounds how
-// far a point goes: a plane and an axis end on screen at their horizon, which a pointer reaches and crosses.
+// These classes turn the way of a pointer over the picture into a move along an axis, about an axis, or in a plane.
+// Each begins at a pixel, and tells how far another pixel is from there. Nothing depends on the pixels between, so
+// nothing drifts. `farthest` bounds the move: on screen, a plane and an axis end at their horizon, which a pointer can
+// reach and cross.
 
 class AxisPointer
 {

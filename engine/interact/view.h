@@ -9,15 +9,15 @@
 namespace vp::interact
 {
 
-// What a user sees: pixels are counted from the frame's top left, y down, pixel centers at halves. Where the frame is
-// only a part of a window, its place there is the caller's to take off.
+// The picture that a user sees. Pixels are counted from the frame's top left, y down, with pixel centers at halves. If
+// the frame is only a part of a window, the caller subtracts the frame's place in the window.
 struct View
 {
 	render::Camera camera;
 	render::Frame frame;
 };
 
-// What lies under a pixel: from the eye on, `along` is 1 long along the camera's forward().
+// The line of points under a pixel. It starts at the eye. `along` has length 1 along the camera's forward().
 struct Ray
 {
 	Vec3 from;

@@ -32,9 +32,9 @@ inline bool solves(const std::array<Vec3, 3>& a, const Vec3& x, const Vec3& b)
 struct FanPart
 {
 	int face = -1;
-	std::size_t edge = 0;                                    // from this point of the face to the next
-	std::array<double, 4> weight{};                          // of the cell, the face, the begin and the end of the edge
-	double least = -std::numeric_limits<double>::infinity(); // of the weights
+	std::size_t edge = 0;           // index of the edge: from this point of the face to the next
+	std::array<double, 4> weight{}; // weights of the cell, the face, and the edge's begin and end
+	double least = -std::numeric_limits<double>::infinity(); // least of the weights
 
 	// Returns the depth in the cell, not in the part: a place between two parts may be far inside the cell.
 	double depth() const

@@ -73,8 +73,7 @@ Located find(const G& grid, const grid::Block& block, CellId start, const Vec3& 
 {
 	Located located;
 	const double side = std::cbrt(static_cast<double>(grid.cellCount()));
-	// Of the 6 N^(1/3) hops that a search may cost, what is left when the boundary is asked is for the way it points
-	// out.
+	// A search may cost 6 N^(1/3) hops. The rest is kept for the way that the boundary shows.
 	const auto budget = static_cast<std::size_t>(4.0 * side);
 	const auto hopFrom = [&](CellId from, std::size_t most)
 	{

@@ -113,10 +113,10 @@ std::optional<ShapeWeights> shapeWeights(CellShape shape, std::span<const Vec3> 
 {
 	// Steps square the error: from the middle of a sound cell 4 or 5 do.
 	constexpr int kMaxSteps = 24;
-	constexpr double kStill = 1e-10;    // a step so short leaves nothing but rounding
-	constexpr double kTrembles = 1e-6;  // where rounding keeps thin cells from standing still
-	constexpr double kFar = 1e3;        // cells away: no place of this cell
-	constexpr double kRounding = 1e-12; // of the cell's size
+	constexpr double kStill = 1e-10;    // after such a short step, only rounding remains
+	constexpr double kTrembles = 1e-6;  // in thin cells, rounding keeps steps this long
+	constexpr double kFar = 1e3;        // in cell sizes: the place is not in this cell
+	constexpr double kRounding = 1e-12; // share of the cell's size
 	std::array<Vec3, kMaxShapePoints> near{};
 	double size = glm::length(place - points[0]);
 	for (std::size_t i = 0; i < points.size(); ++i)

@@ -13,10 +13,10 @@ namespace
 {
 
 // In the cell's own coordinates.
-constexpr double kHeld = -1e-9; // rounding: so far outside a cell still holds a point
-constexpr double kAlone = 1e-6; // so deep inside no other cell holds it
+constexpr double kHeld = -1e-9; // rounding: a cell still contains a point this far outside
+constexpr double kAlone = 1e-6; // no other cell contains a point this deep inside
 
-// What the file lists first; linear cells that were cut from one curved cell share its number.
+// Returns the cell's rank in the file's order. Linear cells that were cut from one curved cell share its number.
 std::pair<std::size_t, CellId> rank(const grid::Block& block, CellId cell)
 {
 	return {std::visit([&](const auto& grid) { return std::size_t(grid.sourceCell(cell)); }, block.grid), cell};
@@ -132,7 +132,7 @@ bool PlaceFinder::findIn(std::uint32_t b, const Vec3& point)
 	return place_.found();
 }
 
-// Of the cells that hold the point, from one to the next.
+// Takes the first of the cells that contain the point, going from one to the next.
 void PlaceFinder::takeFirstOfThoseAround(const Vec3& point)
 {
 	const grid::Block& block = blocks_.blocks[place_.block];

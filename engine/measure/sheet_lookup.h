@@ -23,8 +23,7 @@ struct SheetPlace
 	std::array<double, 3> weight;        // weights of the corners and of the mean: 0 to 1, with the sum 1
 	bool inside = true;                  // false: the place lies beside the polygon, by rounding
 
-	std::uint32_t
-	nearestVertex() const; // returns the nearest corner, whose value counts in arrays of ids and categories
+	std::uint32_t nearestVertex() const; // the nearest corner: its value counts for ids and categories
 };
 
 // Finds what lies at places of a sheet: polygons are listed in bins over its plane. Made in time linear in the mesh,

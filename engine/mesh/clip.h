@@ -8,7 +8,7 @@
 namespace vp::mesh
 {
 
-// What happens to the polygons that contain a corner of the window.
+// Says what happens to the polygons that contain a corner of the window.
 enum class Corners
 {
 	keep, // the corner is a vertex; its value is linear between the rim's vertices beside it

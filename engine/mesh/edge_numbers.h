@@ -47,8 +47,7 @@ struct NumberedEdges
 inline NumberedEdges numberEdges(std::span<const std::uint64_t> asked)
 {
 	constexpr std::uint32_t kEmpty = 0xFFFFFFFFu;
-	constexpr std::uint64_t kGolden =
-	    0x9E3779B97F4A7C15ull; // 2^64 divided by the golden ratio, for Fibonacci hashing; the upper bits are used
+	constexpr std::uint64_t kGolden = 0x9E3779B97F4A7C15ull; // Fibonacci hashing: 2^64 / golden ratio, upper bits
 	std::vector<std::uint32_t> slots(std::bit_ceil(2 * asked.size() + 64), kEmpty);
 	const int shift = 64 - std::countr_zero(slots.size());
 	NumberedEdges found;

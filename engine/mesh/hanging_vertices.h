@@ -11,8 +11,8 @@
 namespace vp::mesh
 {
 
-// What happens to a vertex at which a cell meets several smaller ones. The larger cell's value there is linear along
-// its polygon.
+// Says what happens to a vertex at which a cell meets several smaller ones. The larger cell's value there is linear
+// along its polygon.
 enum class Hanging
 {
 	keep,       // each side keeps its values: where they differ, there are two vertices

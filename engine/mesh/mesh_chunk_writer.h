@@ -33,7 +33,7 @@ public:
 
 private:
 	static constexpr bool kCurved = surface::kIsCurved<Surface>;
-	static constexpr int kMaxCorners = Reader::kTetrahedra ? 4 : cases::kMaxPolygon; // of a polygon from the table
+	static constexpr int kMaxCorners = Reader::kTetrahedra ? 4 : cases::kMaxPolygon; // a table's polygon
 
 	static constexpr std::uint32_t kAhead = 16; // number of vertices whose edges' ends are fetched in advance
 

@@ -14,7 +14,7 @@ namespace vp::mesh
 // `normal`; in others (see SheetMesh::flat) polygons keep their sense and `normal` means nothing.
 void tidyPolygons(SheetMesh& mesh, const Vec3& normal = Vec3(0.0));
 
-// What is left to do after the polygons are made, for the steps that look at the whole mesh.
+// The work that is left after the polygons are made, for the steps that look at the whole mesh.
 struct MeshCleanup
 {
 	bool at_points = false; // vertices lie at grid points, so several may lie at one

@@ -12,7 +12,7 @@ namespace vp::probe
 namespace
 {
 
-// What a matrix may be off a rigid motion: files have it in few digits.
+// Largest deviation of a matrix from a rigid motion. Files have only a few digits.
 constexpr double kRigid = 1e-5;
 constexpr double kFarthest = 1e100;
 

@@ -51,8 +51,8 @@ public:
 	std::string text() const;  // not empty
 	std::string words() const; // may be empty
 	void expectArray(std::size_t least, std::size_t most, std::string_view of) const;
-	Vec3 vector() const;    // of lengths
-	Vec3 direction() const; // of any numbers, not all zero
+	Vec3 vector() const;    // three lengths
+	Vec3 direction() const; // three numbers, not all zero
 	std::pair<double, double> ascending() const;
 	Frame frame() const; // see docs/PROBES.md: origin, normal and up, or a rigid matrix in the paper's rows
 

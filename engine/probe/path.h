@@ -8,9 +8,9 @@
 namespace vp::probe
 {
 
-constexpr int kMaxFrames = 1'000'000; // of a film: nine hours at 30 a second
+constexpr int kMaxFrames = 1'000'000; // frames of a film: nine hours at 30 per second
 constexpr std::size_t kMaxKeys = 10'000;
-constexpr int kProfilePlanes = 60; // of the benchmark's sweep
+constexpr int kProfilePlanes = 60; // planes of the benchmark's sweep
 
 // The ways to sweep a probe. All of them set to_probe and nothing else.
 enum class PathKind
@@ -33,7 +33,7 @@ enum class TimeUnit
 struct Key
 {
 	double at = 0.0; // in the path's unit; rising from key to key
-	Frame frame;     // of the probe, in the world
+	Frame frame;     // frame of the probe in the world
 
 	bool operator==(const Key&) const = default;
 };

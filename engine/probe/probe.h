@@ -16,7 +16,7 @@ constexpr std::size_t kMaxSheets = 64;
 struct Probe
 {
 	std::vector<Sheet> sheets;
-	Frame frame{}; // of the probe in the world
+	Frame frame{}; // place of the probe in the world
 	std::string name{};
 
 	bool operator==(const Probe&) const = default;

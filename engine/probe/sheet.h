@@ -49,7 +49,7 @@ struct SheetWishes
 	std::optional<std::string> array;               // "[point:|cell:]NAME"
 	std::optional<int> component;                   // from 0, or grid::kMagnitude
 	std::optional<std::string> colormap;            // its name
-	std::optional<std::pair<double, double>> range; // of the colors, lower < higher
+	std::optional<std::pair<double, double>> range; // range of the colors, lower < higher
 	std::optional<int> lines;                       // contour lines, 0 or more
 	bool hidden = false;                            // neither cut nor drawn
 

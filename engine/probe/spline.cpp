@@ -27,7 +27,7 @@ Quaternion turnBy(const Vec3& v)
 	return {std::cos(half), 0.5 * sinc * v.x, 0.5 * sinc * v.y, 0.5 * sinc * v.z};
 }
 
-// Of turnBy, the shorter way round.
+// The inverse of turnBy. Returns the shorter way round.
 Vec3 rotationVector(const Quaternion& q)
 {
 	const Vec3 axis(q.x, q.y, q.z);
@@ -96,13 +96,13 @@ private:
 		return {(b.frame.origin - a.frame.origin) / length, rotationVector(turn) / length, length};
 	}
 
-	// Of the parabola through a key and its neighbors.
+	// Returns the motion of the parabola through a key and its neighbors, at the key.
 	static Motion middle(const Motion& before, const Motion& after)
 	{
 		const double share = before.length / (before.length + after.length);
 		return {glm::mix(before.shift, after.shift, share), glm::mix(before.turn, after.turn, share), 0.0};
 	}
-	// Of the parabola at its end beyond `next`.
+	// Returns the motion of the parabola at its end beyond `next`.
 	static Motion atEnd(const Motion& motion, const Motion& next)
 	{
 		return {2.0 * motion.shift - next.shift, 2.0 * motion.turn - next.turn, 0.0};

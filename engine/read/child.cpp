@@ -28,7 +28,7 @@ namespace
 {
 
 constexpr std::size_t kMaxReasonLength = 300;
-// What the reader's libraries take before a file is looked at.
+// Memory that the reader's libraries take before they look at a file.
 constexpr std::uint64_t kLeastMemory = std::uint64_t(64) << 20;
 
 std::string lastLine(std::string_view text)
@@ -89,7 +89,7 @@ Error killed(const std::string& file, int signal, const std::string& where)
 	        fmt::format("{}: the reader was killed (signal {}){}, {}", file, signal, where, remedy)};
 }
 
-// What the child's end means for the user.
+// Returns the error that tells the user why the child ended.
 Error explain(const std::string& file, const Reader& reader, const InputLimits& limits, const ChildSetup& setup,
               const std::string& target)
 {

@@ -18,11 +18,11 @@ enum class FormatFiles
 // A row of format_table.inl.
 struct Format
 {
-	std::string_view name;    // what --format takes
-	std::string_view endings; // of file names, separated by spaces; may be empty
+	std::string_view name;    // the value that --format takes
+	std::string_view endings; // endings of file names, separated by spaces; may be empty
 	std::string_view what;
 	std::string_view read;
-	std::string_view by; // which library
+	std::string_view by; // the library that reads it
 	FormatFiles files;
 	bool in_more; // whether vprobe-read-more reads it
 };

@@ -28,7 +28,7 @@ constexpr std::chrono::seconds kBaseTime{15};
 constexpr std::uint64_t kBytesPerSecond = 4u << 20;
 // The most cells that a reader refines to take about four minutes.
 constexpr std::chrono::seconds kMaxRefineTime{600};
-// Of a folder's files that are counted for an input that refers to others.
+// Largest number of files in a folder that are counted for an input that refers to others.
 constexpr int kMaxFilesBeside = 10000;
 
 std::uint64_t physicalMemory()
@@ -81,7 +81,7 @@ Result<InputLimits> inputLimits(const std::string& file, const std::string& solu
 		return inputError(file, "no such file; check the path");
 	if (error)
 		return inputError(file, fmt::format("cannot be opened: {}", error.message()));
-	const bool is_folder = fs::is_directory(status); // of a DICOM series, or Zarr
+	const bool is_folder = fs::is_directory(status); // a DICOM series or a Zarr store is a folder
 	if (!is_folder && !fs::is_regular_file(status))
 		return inputError(file, "not a regular file; copy its contents to one");
 	if (access(file.c_str(), R_OK) != 0)

@@ -39,17 +39,17 @@ struct CheckedBlock
 	std::string length_units{};
 	std::optional<grid::Lattice> hidden_lattice; // see grid::Block
 	std::vector<std::string> arrays_left_out{};  // likewise
-	std::size_t part = 0;                        // of the input, where parts were asked for
+	std::size_t part = 0;                        // index of the input's part, if parts were asked for
 };
 
 // A part of an input, which can be cut on its own.
 struct InputPart
 {
 	std::size_t cells = 0; // about
-	std::size_t block = 0; // which it is of, where all parts are read at once
+	std::size_t block = 0; // its block, if all parts are read at once
 };
 
-// What is known of a block whose parts are read on their own. kind: empty where each part is a block or several.
+// The facts about a block whose parts are read on their own. kind: empty if each part is a block or several.
 struct WholeLattice
 {
 	std::string kind;

@@ -170,7 +170,7 @@ void addSet(grid::BlockSet set, grid::BlockSet& all)
 	all.unplaced += set.unplaced;
 }
 
-// What a set of several inputs still lacks: neighbors and seams, where they are wanted.
+// Adds what a set of several inputs still lacks: neighbors and seams, if they are wanted.
 void completeSet(grid::BlockSet& all, const ReadOptions& options, Timeline* timeline)
 {
 	const bool all_listed =

@@ -77,14 +77,14 @@ struct ReadOptions
 	std::stop_token stop{}; // on a stop request, reading ends with an error
 	ArrayWish arrays{};
 	std::string format{}; // a name in formats(); if empty, the file's contents and name tell
-	RawLayout raw{};      // of files that hold nothing but values; they need one
-	// Which parts of a file are read, as its numbers in PartList with commas between; empty: all. "?": none, they are
-	// only listed.
+	RawLayout raw{};      // layout of files that hold nothing but values; they need one
+	// The parts of a file to read, as their numbers in PartList with commas between; empty: all. "?" reads none and
+	// only lists them.
 	std::string parts{};
-	// Into how many slabs, which are parts, a lattice comes apart that is alone in its file. The same for listing parts
-	// and for reading them.
+	// Number of slabs into which a lattice is split if it is alone in its file. Each slab is a part. Use the same
+	// number to list parts and to read them.
 	int slabs = 1;
-	// Of convert(): the file that is written as well, and the folder that it is written into.
+	// Only for convert(): the file that is written as well, and the folder that it is written into.
 	std::string convert_to{};
 	std::string convert_folder{};
 	// Computes Block::geometry, which readFields() and readValues() compare. Without it they take the grids for
@@ -105,18 +105,18 @@ Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const 
 struct Part
 {
 	std::size_t input = 0;  // which of the inputs
-	std::size_t number = 0; // of the parts of that input
+	std::size_t number = 0; // index among the parts of that input
 	std::size_t cells = 0;  // about
-	std::size_t block = 0;  // which it is of, where all parts are read at once
+	std::size_t block = 0;  // its block, if all parts are read at once
 };
 
-// The parts of all inputs in their order, and what is known of the blocks that they are of.
+// The parts of all inputs in their order, and the facts about their blocks.
 struct PartList
 {
 	struct Whole
 	{
 		std::string kind{};     // empty where each part is a block or several
-		std::size_t points = 0; // of a lattice, whose parts share some; else 0
+		std::size_t points = 0; // points of a lattice, whose parts share some; else 0
 	};
 	std::vector<Part> parts;
 	std::vector<Whole> blocks;

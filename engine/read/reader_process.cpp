@@ -27,9 +27,9 @@ using Clock = std::chrono::steady_clock;
 
 // A manifest is about 200 bytes an array; 64 MiB describe more arrays than any program could show.
 constexpr std::size_t kMaxManifestBytes = 64u << 20;
-// Of standard error, only the last line is used.
+// Bytes of standard error that are kept. Only the last line is used.
 constexpr std::size_t kKeptErrorBytes = 4096;
-// Milliseconds after which a wish to stop is heard at the latest.
+// Longest time in milliseconds until a stop request is noticed.
 constexpr long long kLongestWait = 100;
 
 // Sanitizers reserve terabytes of address space.

@@ -31,7 +31,7 @@ Result<std::string> readerProgram()
 	std::error_code error;
 	const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
 	std::vector<fs::path> candidates{folder / kProgram, folder.parent_path() / kInLibexec};
-	// Of a library: beside it, or in the prefix that it is installed in, below lib or lib/TRIPLET.
+	// The reader of a library is beside the library, or in its install prefix, below lib or lib/TRIPLET.
 	if (Dl_info info{}; dladdr(reinterpret_cast<const void*>(&setReaderProgram), &info) != 0 && info.dli_fname)
 	{
 		const fs::path library = fs::absolute(info.dli_fname, error).parent_path();

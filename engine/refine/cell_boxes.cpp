@@ -17,7 +17,7 @@ namespace
 
 constexpr std::size_t kCells = 16;
 
-/// Of the control points of a cell: they hold all of it. nodes: of its nodes.
+/// Returns the bounds of a cell's control points, which contain the whole cell. nodes: gets the bounds of its nodes.
 Box boxOf(const grid::CurvedCells& curved, std::size_t cell, const CellKind& kind, Box& nodes)
 {
 	std::vector<double> at(3 * kind.nodes());

@@ -103,11 +103,11 @@ private:
 	std::size_t nodes_;
 	std::vector<Vec3> corner_places_;
 	std::array<std::size_t, grid::kMaxShapePoints> corner_values_{};
-	std::array<unsigned, 3> corners_along_{};   // per axis, a bit for each corner at its end
-	std::array<unsigned, 3> corners_at_zero_{}; // per first axis of a factor, for each at the begin of all its axes
+	std::array<unsigned, 3> corners_along_{};   // per axis: a bit for each corner at its end
+	std::array<unsigned, 3> corners_at_zero_{}; // per first axis of a factor: bits of the corners at 0 of its axes
 	std::vector<Factor> factors_;
 	std::vector<Row> rows_;      // per value of the lattice
-	std::vector<Row> collapsed_; // of a pyramid, per value of the cube's lattice
+	std::vector<Row> collapsed_; // only for a pyramid, per value of the cube's lattice
 	std::vector<double> linear_;
 	std::array<Stencils, 6> second_;
 	std::array<Stencils, 3> first_;

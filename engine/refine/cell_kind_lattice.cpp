@@ -71,8 +71,8 @@ void CellKind::fillFaces(std::uint8_t type)
 	}
 }
 
-/// Of the 15 nodes of a tetrahedron and the 21 of a wedge: quadratic functions, and bubbles that bring the faces and
-/// the inside to their nodes.
+/// Fills the functions of the 15 nodes of a tetrahedron or the 21 nodes of a wedge: quadratic functions, and bubbles
+/// that bring the faces and the inside to their nodes.
 void CellKind::fillMiddles(std::uint8_t type)
 {
 	const bool is_tetrahedron = type == grid::kLagrangeTetra;

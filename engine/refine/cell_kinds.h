@@ -35,7 +35,7 @@ private:
 	bool only_quadratic_ = true;
 	std::vector<std::unique_ptr<CellKind>> kinds_;
 	std::array<std::uint16_t, 256> by_type_{};
-	std::vector<std::uint16_t> numbers_; // of each cell, where the type does not tell
+	std::vector<std::uint16_t> numbers_; // per cell: its kind, if the type alone does not tell
 };
 
 } // namespace vp::refine

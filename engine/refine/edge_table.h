@@ -29,13 +29,13 @@ public:
 	/// An edge that a part has, and nobody asked for before.
 	struct NewEdge
 	{
-		std::uint32_t number; // in its shard
+		std::uint32_t number; // number in its shard
 		std::uint32_t near;   // the cell whose shape functions give its middle
 		std::array<std::uint32_t, 2> ends;
-		std::array<Vec3f, 2> places; // of the ends, in the cell's coordinates
-		double allowed;              // what the middle may be off
-		bool is_forced;              // is halved in any case
-		std::uint32_t point;         // of its middle, in the shard's list
+		std::array<Vec3f, 2> places; // places of the ends in the cell's coordinates
+		double allowed;              // allowed error of the middle
+		bool is_forced;              // the edge is always halved
+		std::uint32_t point;         // its middle, as an index into the shard's list
 	};
 	struct Shard
 	{

@@ -154,8 +154,8 @@ void NearCells::bound(NearCell& near, std::span<const double> lattice, Scratch& 
 		points[v] *= weight(v);
 		least = v == 0 ? weight(v) : std::min(least, weight(v));
 	}
-	std::array<double, 3> slope{};        // of the position
-	std::array<double, 3> weight_slope{}; // of the sum of weights
+	std::array<double, 3> slope{};        // slope of the position
+	std::array<double, 3> weight_slope{}; // slope of the sum of weights
 	for (std::size_t a = 0; a < 3 && rational; ++a)
 	{
 		double numerator = 0.0;

@@ -69,7 +69,7 @@ private:
 	struct Scratch
 	{
 		std::vector<double> nodes;
-		std::vector<Vec3> positions; // of the lattice
+		std::vector<Vec3> positions; // positions of the lattice
 		std::vector<Vec3> control;
 	};
 

@@ -75,9 +75,9 @@ public:
 	void append(const PartList& other);
 
 	const RawVector<PartPoint>& points() const { return points_; }
-	const RawVector<std::uint32_t>& corners() const { return corners_; } // of all parts, one after the other
+	const RawVector<std::uint32_t>& corners() const { return corners_; } // all parts', one after the other
 	const RawVector<std::uint8_t>& types() const { return types_; }      // per part
-	const RawVector<std::uint32_t>& cells() const { return cells_; }     // per part, of which it is part
+	const RawVector<std::uint32_t>& cells() const { return cells_; }     // per part: its cell
 
 private:
 	std::uint32_t add(const PartPoint& point)
@@ -89,7 +89,7 @@ private:
 		return number;
 	}
 
-	KeyNumbers numbers_; // of points
+	KeyNumbers numbers_; // numbers of points
 	RawVector<PartPoint> points_;
 	RawVector<std::uint32_t> corners_;
 	RawVector<std::uint8_t> types_;

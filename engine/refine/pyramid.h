@@ -19,7 +19,7 @@ public:
 	double within(const Vec3& lo, const Vec3& hi) const;
 
 private:
-	double second_[6]; // of the polynomial part: xx, yy, zz, xy, xz, yz
+	double second_[6]; // bounds for the polynomial part: xx, yy, zz, xy, xz, yz
 	double rational_[3];
 };
 

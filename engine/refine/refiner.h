@@ -19,7 +19,7 @@
 namespace vp::refine
 {
 
-/// What a Refiner makes for some sheets.
+/// The result of a Refiner for some sheets.
 struct Refined
 {
 	// Blocks of curved cells are listed grids of the linear parts that the sheets meet; the others are as they were.
@@ -52,7 +52,7 @@ public:
 	std::size_t bytes() const;
 
 private:
-	/// What is kept of a block.
+	/// The data that is kept for a block.
 	struct Known
 	{
 		explicit Known(const grid::CurvedCells& curved) : kinds(curved), boxes(curved, kinds) {}

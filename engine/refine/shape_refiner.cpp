@@ -371,7 +371,7 @@ void ShapeRefiner::halveParts()
 	appendAll(done_, done);
 }
 
-/// Of several edges that are off alike the first by its ends is halved.
+/// Halves the edge with the largest error. If several edges have the same error, the first one by its ends is halved.
 void ShapeRefiner::halve(const Part& part, std::vector<Part>& halves, std::vector<DonePart>& done)
 {
 	int edge = -1;

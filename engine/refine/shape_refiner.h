@@ -34,7 +34,7 @@ private:
 		std::array<std::uint32_t, 4> points;
 		std::array<std::uint32_t, 6> edges;
 		std::uint32_t near;
-		std::uint32_t level; // of edges that are not known yet
+		std::uint32_t level; // level of edges that are not known yet
 		std::array<Vec3f, 4> places;
 	};
 	struct DonePart
@@ -51,7 +51,7 @@ private:
 		bool is_forced;
 		double allowed;
 	};
-	using Requests = std::array<std::vector<Request>, EdgeTable::kShards>; // of a range of parts
+	using Requests = std::array<std::vector<Request>, EdgeTable::kShards>; // requests of a range of parts, by shard
 
 	void makeFirstParts();
 	void findEdges();
@@ -83,7 +83,7 @@ private:
 	bool all_are_stopped_ = false;
 	Unfinished unfinished_;
 	RawVector<PartPoint> points_; // positions are in numbers_
-	RawVector<double> numbers_;   // of each point: coordinates, and values as a share of what they may be off
+	RawVector<double> numbers_;   // per point: coordinates, and values as a share of their allowed error
 };
 
 } // namespace vp::refine

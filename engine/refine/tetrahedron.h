@@ -29,8 +29,8 @@ struct Node
 {
 	std::array<double, 3 + Values> at{}; // x, y, z and the values
 	Vec3 place;                          // in the cell's own coordinates
-	double priority = -1.0;              // of a node on an edge that has to be halved: how far it is off
-	std::uint32_t number = 0;            // of a corner, in the list of parts
+	double priority = -1.0;              // error of a node on an edge that must be halved
+	std::uint32_t number = 0;            // number of a corner in the list of parts
 	std::uint8_t support = 0;            // a bit for each corner of the cell that the place depends on
 
 	Vec3 position() const { return {at[0], at[1], at[2]}; }
@@ -159,7 +159,8 @@ bool TetrahedronRefiner<Values>::mayMeet(const Tetrahedron& t) const
 	    { return mayMeetPlane(plane, slack_, [&](int node) { return nodes_[t[node]].position(); }); });
 }
 
-/// Of the linear part. Parts that touch a plane count, so both cells of a face in the plane are there.
+/// Returns true if the linear part meets a plane. Parts that only touch a plane count, so both cells of a face in the
+/// plane are there.
 template <int Values>
 bool TetrahedronRefiner<Values>::meets(const Tetrahedron& t) const
 {

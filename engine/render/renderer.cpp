@@ -213,7 +213,7 @@ void Renderer::Private::recordPicture(VkCommandBuffer to, bool has_edges, std::u
 		targets.picture.transition(to, gpu::kColorTarget, gpu::kCopyFrom);
 }
 
-// What is recorded, done.
+// Submits the recorded commands and waits for them.
 Result<Drawn> Renderer::Private::finish(bool counts_fragments, Timeline* timeline)
 {
 	const Status drawn = [&]

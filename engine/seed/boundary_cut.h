@@ -62,12 +62,12 @@ void useFacePoints(const G& grid, CellId cell, std::uint32_t face, grid::CellFac
 	use(std::span<const PointId>(ids.data(), corners.size()));
 }
 
-// What a cutting surface has in common with a part of a boundary.
+// The faces that a cutting surface meets in a part of a boundary.
 struct BoundaryCut
 {
 	std::vector<grid::BoundaryIndex::Face> cut;
 	std::vector<grid::BoundaryIndex::Face> flat;
-	std::size_t tests = 0; // boxes and faces asked
+	std::size_t tests = 0; // number of boxes and faces tested
 };
 
 // The part of some groups of the index. With a window (or null) only faces that may reach into it.
@@ -82,7 +82,7 @@ public:
 	{
 	}
 
-	// Of groups [begin, end).
+	// Searches the groups [begin, end).
 	BoundaryCut search(std::size_t begin, std::size_t end)
 	{
 		const auto meets = [&](const Box& box) { return surface_.meets(box) && (!window_ || window_->meets(box)); };
@@ -149,7 +149,7 @@ private:
 			prefetch(xyz + 3 * std::size_t(c));
 		}
 	}
-	// Of one to four faces.
+	// Returns the signs of one to four faces.
 	template <class Number>
 	static unsigned signsOf(Corners corners, const Number* xyz, const surface::SignFilter& filter)
 	{
@@ -217,9 +217,9 @@ private:
 };
 
 // Calls visit_cut(face) for every boundary face with vertices on both sides: its cell is cut. Calls visit_flat(face)
-// for every one that lies in the surface whole. With a window (or null) only those that may reach into it. In the order
-// of the index, one after the other, though they are looked for on all cores. bounds: of the grid's points. Returns the
-// boxes and faces asked.
+// for every one that lies wholly in the surface. With a window (or null) only faces that may reach into the window
+// count. The calls come one after the other in the order of the index, although the search runs on all cores. bounds:
+// bounds of the grid's points. Returns the number of boxes and faces tested.
 template <grid::Grid G, class Surface, class VisitCut, class VisitFlat>
 std::size_t visitBoundaryCut(const G& grid, const grid::BoundaryIndex& boundary, const Box& bounds,
                              const Surface& surface, const SheetWindow* window, VisitCut&& visit_cut,

@@ -10,10 +10,10 @@
 namespace vp::seed
 {
 
-// Generation 0 of a curved surface. It may close up anywhere, out of reach of the boundary, so the block tree is asked:
-// of every leaf that the surface may pass through the cells are classified, and each of the leaf's pieces (cut cells
-// that hang together through cut faces within it) gives a seed. So every piece is found, and fronts are wide.
-// SheetSeeds::tree_tests has the boxes and cells asked. With SeedMode::boundary the tree is left alone, and with
+// Generation 0 of a curved surface. The surface may close anywhere, also away from the boundary, so the block tree is
+// searched. In every leaf that the surface may pass through, the cells are classified. Each of the leaf's pieces (cut
+// cells that are connected through cut faces within the leaf) gives a seed. So every piece is found, and fronts are
+// wide. SheetSeeds::tree_tests counts the boxes and cells tested. With SeedMode::boundary the tree is not used. With
 // SeedMode::hotspot there is one seed: the cut cell nearest along the sheet's axes from its origin, the normal first.
 //
 // surfaces: as each block sees it. sheet: placed; its window, if it has one, bounds what is looked for. filters: per

@@ -15,7 +15,7 @@ template <int N>
 struct FaceCuts
 {
 	using Place = glm::vec<N, double>;
-	static constexpr int kMax = 16; // of a face that is cut more often, only these matter
+	static constexpr int kMax = 16; // if a face is cut more often, only these cuts count
 
 	std::array<Place, kMax> at;
 	int count = 0;

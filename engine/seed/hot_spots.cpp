@@ -39,7 +39,7 @@ public:
 		if (in_window_ && !seeds.empty())
 			spine = walkSpine(seeds.front());
 		shrinkToCut(spine);
-		// Of a square of n x n cells the rim has 4 n.
+		// The rim of a square of n x n cells has 4 n cells.
 		const double high = std::max(0.25 * static_cast<double>(rim_.size()), static_cast<double>(spine.size()));
 		const auto enough = static_cast<std::size_t>(std::lround(high / (2.0 * kLatticeCells)));
 		if (v_.length() <= 0.0)
@@ -166,12 +166,12 @@ private:
 		return lines;
 	}
 
-	// Lines between two heights, where cells are small: halfway, and then on both sides of that. Of a window's edge and
-	// of the rim there is no line.
+	// Adds lines between two heights if cells are small there: one halfway, and then more on both sides of it. There is
+	// no line along a window's edge or along the rim.
 	template <class Below, class Above>
 	void refine(const Range& heights, const Below& below, const Above& above, HotSpots& spots) const
 	{
-		const bool at_edge = in_window_ && (below.empty() || above.empty()); // nothing comes to meet the line
+		const bool at_edge = in_window_ && (below.empty() || above.empty()); // there is no line on the other side
 		const double breadth = heights.length() / (at_edge ? 0.5 * kLatticeCells : kLatticeCells);
 		const std::vector<Stretch> narrow_below = narrowStretches(below, breadth);
 		const std::vector<Stretch> narrow_above = narrowStretches(above, breadth);
@@ -194,7 +194,7 @@ private:
 		std::vector<Stretch> narrow;
 		for (const Stretch line : lines)
 		{
-			std::size_t first = line.size(); // of the narrow cells that are going on
+			std::size_t first = line.size(); // first cell of the current run of narrow cells
 			for (std::size_t begin = 0; begin < line.size(); begin += kStretch)
 			{
 				const Stretch part = line.subspan(begin, std::min(kStretch, line.size() - begin));
@@ -265,7 +265,7 @@ private:
 	SheetAxes axes_;
 	std::span<const CutFace> rim_;
 	bool in_window_;
-	Range u_{-kFar, kFar}; // of the lattice
+	Range u_{-kFar, kFar}; // range of the lattice
 	Range v_{-kFar, kFar};
 };
 

@@ -158,9 +158,9 @@ private:
 	const G& grid_;
 	const surface::BlockSurface& surface_;
 	const grid::CellFilter& filter_;
-	Index lo_{};                      // of the leaf
-	Index size_{};                    // in cells
-	Row signs_[kEdge + 1][kEdge + 1]; // of the points, by k and j
+	Index lo_{};                      // first cell of the leaf
+	Index size_{};                    // size in cells
+	Row signs_[kEdge + 1][kEdge + 1]; // signs of the points, by k and j
 	Row left_[kEdge][kEdge];          // cut cells that no piece has yet, by k and j
 	std::vector<Index> queue_;
 	std::size_t asked_ = 0;

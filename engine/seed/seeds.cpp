@@ -75,7 +75,7 @@ void seedHotSpot(const grid::BlockSet& blocks, const Vec3& hot_spot, const surfa
 	}
 }
 
-// Of the boundary faces in the plane, those that nothing else shows.
+// Keeps those boundary faces in the plane that nothing else shows.
 void keepFacesToShow(const grid::BlockSet& blocks, const surface::Plane& plane,
                      std::vector<std::vector<grid::BoundaryIndex::Face>>& faces)
 {

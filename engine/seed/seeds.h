@@ -20,7 +20,7 @@ enum class SeedMode
 	boundary
 };
 
-// What happens with a hot spot outside the grid.
+// Says what happens to a hot spot outside the grid.
 enum class OutsidePolicy
 {
 	nearest, // it moves to the nearest point of the sheet inside the grid

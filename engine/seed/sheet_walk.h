@@ -33,7 +33,7 @@ struct Range
 struct SheetAxes
 {
 	Vec3 origin;
-	Vec3 axis[2]; // of unit length
+	Vec3 axis[2]; // unit vectors
 
 	glm::dvec2 uvOf(const Vec3& p) const { return {glm::dot(p - origin, axis[0]), glm::dot(p - origin, axis[1])}; }
 };
@@ -43,7 +43,7 @@ struct SheetAxes
 struct Section
 {
 	std::array<glm::dvec2, cases::kMaxPolygon> corner;
-	std::array<std::uint8_t, cases::kMaxPolygon> face_after; // of the side from this corner to the next
+	std::array<std::uint8_t, cases::kMaxPolygon> face_after; // face of the side from this corner to the next
 	int corners = 0;
 
 	// From where to where it reaches along an axis. It has corners.
@@ -130,7 +130,7 @@ struct PassedCell
 	CellId cell;
 	double from; // the part of the line in it: from < to, whichever way it was walked
 	double to;
-	double breadth; // of its section, across the line
+	double breadth; // breadth of its section across the line
 };
 
 // Where the line leaves a cell: across the last side that it meets and that does not lead back. kNoCell: out of the

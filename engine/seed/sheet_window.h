@@ -10,7 +10,7 @@ namespace vp::seed
 {
 
 // The window of a sheet as seeding and traversal see it: an edge of a polygon that lies wholly outside leads nowhere.
-// What touches the window's rim counts as inside.
+// A polygon that touches the window's rim counts as inside.
 class SheetWindow
 {
 public:
@@ -82,7 +82,7 @@ private:
 	{
 		const Vec3 from_origin = p - origin_;
 		const Uv uv(glm::dot(from_origin, x_axis_), glm::dot(from_origin, y_axis_));
-		// What is cut far from the plane may be rounded by more than the slack of the sides.
+		// Far from the plane, rounding may be larger than the slack of the sides.
 		return uv.x >= lo_.x + slack_ && uv.x <= hi_.x - slack_ && uv.y >= lo_.y + slack_ && uv.y <= hi_.y - slack_ &&
 		       glm::dot(from_origin, from_origin) <= reach_squared_;
 	}
@@ -103,7 +103,7 @@ private:
 	Vec3 y_axis_;
 	Uv lo_;
 	Uv hi_;
-	double slack_; // of the sides
+	double slack_; // slack of the sides
 	double reach_squared_;
 	Vec3 hot_spot_;
 };

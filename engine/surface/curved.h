@@ -26,10 +26,10 @@ using Curved = std::variant<Quadric, PlacedExpression>;
 // The surface where an array of a block has one value.
 struct BlockValues
 {
-	const grid::Field* field; // of points; it must outlive this
+	const grid::Field* field; // a point array; it must outlive this
 	int component;            // 0.. or grid::kMagnitude
 	double value;
-	std::shared_ptr<const LeafValues> leaves; // of the block's tree; or null
+	std::shared_ptr<const LeafValues> leaves; // values of the leaves of the block's tree; or null
 
 	template <class G>
 	double height(const G& grid, PointId p) const

@@ -16,11 +16,11 @@ struct Slopes
 	double by_b = 0.0;
 };
 
-// of a^b.
+// Returns the slopes of a^b.
 Slopes slopesOfPower(const Dual& a, const Dual& b, double power)
 {
 	const double by_a = b.value * std::pow(a.value, b.value - 1.0);
-	// A constant exponent has no use for the logarithm of what may be negative.
+	// A constant exponent does not need the logarithm, whose argument may be negative.
 	return {by_a, b.slope == Vec3(0.0) || power == 0.0 ? 0.0 : power * std::log(a.value)};
 }
 
@@ -95,7 +95,7 @@ double slopeOfOne(Operation operation, int exponent, double a, double value)
 	}
 }
 
-// What does not depend on a variable stays so, where the slope by it is not finite too.
+// A value that does not depend on a variable stays independent of it, even if the slope is not finite.
 Vec3 scaled(double by, const Vec3& slope)
 {
 	return {slope.x == 0.0 ? 0.0 : by * slope.x, slope.y == 0.0 ? 0.0 : by * slope.y,

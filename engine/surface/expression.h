@@ -37,7 +37,7 @@ public:
 	// Whether the surface may pass through the box, its rim included.
 	bool meets(const Box& box) const { return over(box).hasBothSides(); }
 
-	// Of value(); not finite where there is none.
+	// Returns the gradient of value(); it is not finite where there is none.
 	Vec3 gradient(const Vec3& p) const;
 
 	// The same text.

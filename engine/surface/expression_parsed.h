@@ -6,7 +6,7 @@
 namespace vp::surface
 {
 
-// What copies of an expression share.
+// The data that copies of an expression share.
 struct Expression::Parsed
 {
 	std::string text;

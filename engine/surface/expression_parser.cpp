@@ -213,7 +213,7 @@ private:
 		return function.arguments() == 1 ? applied(at, function.operation, result) : result;
 	}
 
-	// What was folded must be a number that can be computed with.
+	// A folded constant must be a finite number.
 	int applied(std::size_t at, Operation operation, int a, int b = kNone)
 	{
 		const int node = tree_.apply(operation, a, b);

@@ -9,7 +9,7 @@ namespace vp::surface
 {
 
 inline constexpr std::size_t kMaxExpressionText = 4096; // characters
-inline constexpr int kMaxExpressionNesting = 64;        // of parentheses, signs and powers
+inline constexpr int kMaxExpressionNesting = 64;        // nesting of parentheses, signs and powers
 
 struct ParsedExpression
 {

@@ -10,7 +10,7 @@
 namespace vp::surface
 {
 
-// What a node of an expression computes from its operands a and b.
+// The operation of an expression's node on its operands a and b.
 enum class Operation : std::uint8_t
 {
 	x,
@@ -66,7 +66,8 @@ constexpr bool takesTwo(Operation operation)
 	}
 }
 
-// What may be called by name. All are continuous where they are defined, but for atan2 across y = 0 where x < 0.
+// A function that may be called by name. All of them are continuous where they are defined, except atan2 across y = 0
+// where x < 0.
 struct NamedFunction
 {
 	std::string_view name;
@@ -92,7 +93,7 @@ inline constexpr std::array kNamedFunctions{
 struct ExpressionNode
 {
 	Operation operation = Operation::number;
-	std::int32_t exponent = 0; // of integer_power
+	std::int32_t exponent = 0; // exponent of integer_power
 	std::int32_t a = -1;       // operands, by their place among the nodes; -1: none
 	std::int32_t b = -1;
 	double number = 0.0;

@@ -91,7 +91,7 @@ Interval integerPowerOf(const Interval& a, int exponent)
 
 Interval powerOf(const Interval& a, const Interval& b)
 {
-	// Of negative numbers only whole powers are defined, which no interval is; 0 has none that are negative.
+	// Negative numbers have only integer powers, and an interval is not one integer. 0 has no negative powers.
 	if (a.lo < 0.0 || (a.lo == 0.0 && b.lo <= 0.0))
 		return kWholeLine;
 	return ofCorners(a, b, kLibrary, [](double t, double s) { return std::pow(t, s); });

@@ -9,13 +9,13 @@
 namespace vp::surface
 {
 
-// The least and the greatest shown value of an array in each leaf of a block's tree over all cells, and in each group
-// of leaves. They serve iso surfaces as boxes serve surfaces with a place. Making them is one pass over all cells, on
-// all cores. They take 8 bytes for a leaf of 512 cells.
+// The least and the greatest shown value of an array. There is a pair for each leaf of a block's tree over all cells,
+// and for each group of leaves. Iso surfaces use them as other surfaces use boxes. They are made in one pass over all
+// cells, on all cores, and take 8 bytes for a leaf of 512 cells.
 class LeafValues
 {
 public:
-	// field: of points. component: 0.. or grid::kMagnitude.
+	// field: a point array. component: 0.. or grid::kMagnitude.
 	LeafValues(const grid::Block& block, const grid::Field& field, int component);
 
 	// Return true if the values include this one, or lie on both sides of it.

@@ -19,7 +19,7 @@ struct FourPoints
 	FourFloats z;
 };
 
-// Of points that follow each other.
+// Loads four points that follow each other.
 inline FourPoints loadFour(const float* xyz)
 {
 #ifdef __SSE2__
@@ -44,7 +44,7 @@ inline FourPoints loadFour(const double* xyz)
 	return loadFour(rounded);
 }
 
-// Of points anywhere.
+// Loads four points from anywhere.
 inline FourPoints gatherFour(const std::array<const float*, 4>& p)
 {
 #ifdef __SSE2__

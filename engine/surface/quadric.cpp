@@ -84,11 +84,11 @@ bool Quadric::meets(const Box& box) const
 {
 	const Vec3 half = 0.5 * box.size();
 	const Vec3 center = box.center();
-	// Of all that the height may differ by from that at the center.
+	// The largest difference between heights in the box and the height at the center, beyond the linear part.
 	const double bends = glm::dot(half, glm::abs(square_) * half) + std::abs(mixed_.x) * half.x * half.y +
 	                     std::abs(mixed_.y) * half.x * half.z + std::abs(mixed_.z) * half.y * half.z;
 	const double reach = glm::dot(glm::abs(gradient(center)), half) + bends;
-	// Rounding of the height and of the gradient: of sums of up to ten terms of this size.
+	// Rounding of the height and of the gradient, which are sums of up to ten terms of this size.
 	const Vec3 far = glm::abs(center - origin_) + half + 1e-15 * (glm::abs(center) + glm::abs(origin_));
 	const double size = glm::dot(far, glm::abs(square_) * far) + std::abs(mixed_.x) * far.x * far.y +
 	                    std::abs(mixed_.y) * far.x * far.z + std::abs(mixed_.z) * far.y * far.z +

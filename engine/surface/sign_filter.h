@@ -31,7 +31,7 @@ public:
 	{
 		const std::array height = {heights_.at(points[0]), heights_.at(points[1]), heights_.at(points[2]),
 		                           heights_.at(points[3])};
-		// What is not a number may get lost here. In double it is not positive either.
+		// A NaN may get lost here. In double precision it is not positive either.
 		const FourFloats least = lesser(lesser(magnitude(height[0]), magnitude(height[1])),
 		                                lesser(magnitude(height[2]), magnitude(height[3])));
 		if (bitsAtLeast(least, FourFloats(heights_.doubt())) != 15)

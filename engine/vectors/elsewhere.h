@@ -16,8 +16,8 @@
 namespace vp::vectors
 {
 
-// What a process that holds only some blocks of a set knows about the others. With it particles are followed over the
-// borders between processes.
+// The facts about other blocks that a process with only some blocks of a set knows. With them it follows particles over
+// the borders between processes.
 struct BlockBorders
 {
 	std::vector<std::uint32_t> whole; // per block, the one that a process which holds all has in its place

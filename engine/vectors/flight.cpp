@@ -95,7 +95,8 @@ private:
 		return found.found();
 	}
 
-	// Of several cells on the face the one in which the particle lies deepest; those of other processes come last.
+	// If several cells lie on the face, takes the one in which the particle lies deepest. Cells of other processes come
+	// last.
 	bool crossSeam(Particle& particle, const Exit& exit)
 	{
 		const mesh::BlockCell cell{particle.block, particle.cell};

@@ -33,9 +33,9 @@ public:
 	void advanceHere(std::span<const BlockTimes> vectors, const TimeSpan& span, const Elsewhere& elsewhere,
 	                 std::span<const std::uint32_t> numbers);
 	std::vector<Particle>& particles() { return particles_; }
-	std::size_t ways() const { return ways_; } // particles of each launch
-	bool anyLeft(double sense) const;          // under way
-	void end(double sense, TraceEnd why);      // of those that are under way
+	std::size_t ways() const { return ways_; } // number of particles of each launch
+	bool anyLeft(double sense) const;          // returns true if any particle still moves
+	void end(double sense, TraceEnd why);      // ends the particles that still move
 
 	Traces take();
 
@@ -44,7 +44,7 @@ private:
 	std::span<const Launch> launches_;
 	Motion motion_;
 	std::size_t ways_;                // particles a launch: one, or backward and forward
-	std::vector<Particle> particles_; // of a launch side by side, backward first
+	std::vector<Particle> particles_; // the particles of a launch side by side, backward first
 };
 
 // Returns the cell of a block that holds a place beyond the end of a block; nothing if none does. of_same_whole: the

@@ -300,7 +300,7 @@ private:
 	const TimeSpan& span_;
 	Particle& p_;
 	ParticleState before_; // the present substep
-	// Of the present substep.
+	// These belong to the present substep.
 	Vec3 velocity_{0.0};
 	std::array<Vec3, 3> inverse_{};
 	typename FieldWalker<G>::Cursor start_{};

@@ -16,9 +16,9 @@ struct Launch
 {
 	Vec3 position{0.0};
 	std::uint32_t block = 0;
-	CellId cell = kNoCell;  // that contains the position, or is a few cells away; kNoCell: search for it
+	CellId cell = kNoCell;  // a cell at the position, or a few cells away; kNoCell: search for it
 	std::uint32_t seed = 0; // its place in the lattice; it does not depend on which other places are in the cut
-	bool inside = true;     // of a polygon of the cut; else beside one, by rounding
+	bool inside = true;     // the position is inside a polygon of the cut; else beside one, by rounding
 };
 
 struct LatticeChoice

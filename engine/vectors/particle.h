@@ -22,7 +22,7 @@ enum class Direction : std::uint8_t
 	both
 };
 
-// What of a vector moves a particle.
+// The part of a vector that moves a particle.
 enum class VectorPart : std::uint8_t
 {
 	whole,
@@ -30,12 +30,12 @@ enum class VectorPart : std::uint8_t
 	normal      // through it
 };
 
-// What holds for all particles of a call.
+// The settings that hold for all particles of a call.
 struct Motion
 {
 	double steps; // may end in a fraction
 	double dt;
-	double tolerance; // of a cell, per substep
+	double tolerance; // allowed error of a substep, as a share of a cell
 	VectorPart part;
 	Vec3 normal; // unit
 	bool steady; // else a vector may be zero for a while
@@ -66,20 +66,20 @@ struct PathPoint
 // A place on a face through which a particle left its block.
 struct Exit
 {
-	int face;    // of the cell, its axes those of the source (cell_field.h)
-	double rate; // cells a unit of time, of the motion there
+	int face;    // the cell's face, by the axes of the source (cell_field.h)
+	double rate; // speed there, in cells per unit of time
 };
 
 // Where in its cell a particle is, from which the search for the next place begins.
 struct CellStand
 {
 	Vec3 u;        // in the cell, whose axes are those of the source
-	Vec3 place;    // that it was found for
-	bool in_parts; // of the cell as tetrahedra
+	Vec3 place;    // the place for which `u` was found
+	bool in_parts; // the cell was searched as tetrahedra
 };
 
-// What a particle keeps from one substep to the next, but for its path. A plain struct, which may be sent as bytes: who
-// goes on from there comes to the same bits.
+// The state that a particle keeps from one substep to the next, without its path. It is a plain struct and can be sent
+// as bytes. A process that continues from it gets the same bits.
 struct ParticleState
 {
 	Vec3 place;
@@ -88,31 +88,31 @@ struct ParticleState
 	double sense = 1.0; // -1: backward
 	std::uint32_t block;
 	CellId cell;
-	double substep = HUGE_VAL; // as long as the error last allowed
+	double substep = HUGE_VAL; // length that the error last allowed
 	PairChoice pair;
-	std::size_t substeps = 0;         // of the present step
+	std::size_t substeps = 0;         // substeps of the present step so far
 	std::size_t idle = 0;             // crossings since it last moved
-	std::size_t points = 0;           // of its path, with the launch
-	double last_time = 0.0;           // of the last of them
-	std::optional<CellStand> stand{}; // in the midst of a block; else it enters the cell anew
-	std::optional<Exit> exit{};       // that it stands on
-	std::optional<TraceEnd> end{};    // why it is not under way any more
+	std::size_t points = 0;           // number of points of its path, with the launch
+	double last_time = 0.0;           // time of the last of them
+	std::optional<CellStand> stand{}; // set within a block; else the particle enters the cell anew
+	std::optional<Exit> exit{};       // the exit at which the particle stands
+	std::optional<TraceEnd> end{};    // why the particle has stopped
 };
 
 // A place beyond the end of a block that blocks of other processes may hold.
 struct AskedPlace
 {
 	Vec3 place;
-	double reach;                       // of the place from the particle
-	std::vector<std::uint32_t> blocks;  // that may hold it; ascending
-	std::optional<mesh::BlockCell> own; // that holds it, if none of them does
+	double reach;                       // distance of the place from the particle
+	std::vector<std::uint32_t> blocks;  // blocks that may contain the place; ascending
+	std::optional<mesh::BlockCell> own; // own cell that contains the place if no other block does
 };
 
-// One that is under way, in one direction.
+// A particle that moves in one direction.
 struct Particle : ParticleState
 {
-	std::vector<PathPoint> path; // with the launch; of several processes, each has some of the points
-	// What it waits for (elsewhere.h).
+	std::vector<PathPoint> path; // with the launch; each of several processes has some of the points
+	// The cell or the place that the particle waits for (elsewhere.h).
 	std::optional<mesh::BlockCell> missing{};
 	std::optional<AskedPlace> asked{};
 

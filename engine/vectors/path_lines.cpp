@@ -14,7 +14,8 @@ namespace vp::vectors
 namespace
 {
 
-// Of two stored times, those that the particles are between; what is held of the last pair is not loaded again.
+// Holds the vectors of the two stored times before and after the particles. Vectors that the last pair already had are
+// not loaded again.
 class HeldVectors
 {
 public:

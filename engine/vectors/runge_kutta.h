@@ -12,9 +12,9 @@ namespace vp::vectors
 // error.
 struct RungeKuttaStep
 {
-	Vec3 move;     // to the end of the step, by the higher order
-	Vec3 error;    // of the lower one there
-	Vec3 velocity; // at the end
+	Vec3 move;     // move to the end of the step, by the higher order
+	Vec3 error;    // error of the lower order there
+	Vec3 velocity; // velocity at the end
 };
 
 // Dormand and Prince, "A family of embedded Runge-Kutta formulae" (1980): order 5 with 4. velocity_at(move, part) is

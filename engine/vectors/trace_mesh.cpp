@@ -14,10 +14,10 @@ namespace
 constexpr int kTubeSides = 10; // round where shaded smoothly
 constexpr int kLineSides = 6;
 
-// Of an arrow, in widths of its shaft.
+// Size of an arrow's head, in widths of its shaft.
 constexpr double kHeadWidth = 3.2;
 constexpr double kHeadLength = 5.0;
-constexpr double kLongestHead = 0.45; // of the whole arrow; else head and shaft are smaller
+constexpr double kLongestHead = 0.45; // share of the whole arrow; else head and shaft are smaller
 
 // Adds rings about a curve, and what lies between them.
 class TubeMaker
@@ -89,7 +89,7 @@ private:
 			made_.addPolygon(std::array{base + k, base + (k + 1) % sides_, tip});
 	}
 
-	// Of vertices that run right-handed about the curve's direction at its point i. Gives the first.
+	// Adds vertices that run right-handed about the curve's direction at its point i. Returns the first.
 	std::uint32_t addRing(const Vec3& center, std::size_t i, double radius)
 	{
 		const Vec3 x = across_[i - first_];
@@ -125,7 +125,7 @@ private:
 	std::span<const double> values_;
 	std::uint32_t sides_;
 	TraceMesh& made_;
-	std::size_t first_ = 0; // of the curve at hand
+	std::size_t first_ = 0; // first point of the current curve
 	std::size_t end_ = 0;
 	std::vector<Vec3> across_;
 	std::vector<std::uint32_t> cap_;

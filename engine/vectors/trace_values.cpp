@@ -16,10 +16,11 @@ namespace
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
-// Of the cell's size: differences over less would be rounding, over more the neighbors' business.
+// Share of the cell's size. Differences over less would be rounding. Differences over more would reach into the
+// neighbors.
 constexpr double kShare = 0.05;
 
-// Of several processes, each has the cells of its own blocks.
+// Returns true if this process has the block's cells. Each process has only the cells of its own blocks.
 bool holdsCells(const grid::Block& block)
 {
 	return std::visit([](const auto& grid) { return grid.cellCount() > 0; }, block.grid);
@@ -76,7 +77,7 @@ public:
 			vector[c] = componentAt(block_, field_, weights_, cell_, c);
 		return vector;
 	}
-	double size() // of the cell, roughly
+	double size() // returns the cell's rough size
 	{
 		Box box;
 		std::visit(

@@ -19,7 +19,7 @@ struct TraceOptions
 	double dt = 0.0;    // > 0, in units of length over those of the vectors
 	Direction direction = Direction::forward;
 	VectorPart part = VectorPart::whole;
-	Vec3 normal{0.0, 0.0, 1.0}; // of the sheet, unit
+	Vec3 normal{0.0, 0.0, 1.0}; // unit normal of the sheet
 	// Allowed error of a substep, in the coordinates of the cell. It determines the number of substeps in a step.
 	double tolerance = 1e-5;
 };
@@ -38,6 +38,6 @@ Status checkOptions(const TraceOptions& options, std::size_t launches);
 Result<Traces> trace(const grid::BlockSet& blocks, const grid::FieldChoice& array, std::span<const Launch> launches,
                      const TraceOptions& options, std::stop_token stop = {});
 
-constexpr double kBeyond = 0.02; // of a cell
+constexpr double kBeyond = 0.02; // share of a cell
 
 } // namespace vp::vectors

@@ -42,9 +42,9 @@ struct Traces
 
 	// Per point of all traces.
 	RawVector<Vec3> points;
-	RawVector<double> times;         // from the launch, negative before it
-	RawVector<Vec3> vectors;         // the field there, whole
-	RawVector<std::uint32_t> blocks; // of the cell that contains it
+	RawVector<double> times;         // time since the launch; negative before it
+	RawVector<Vec3> vectors;         // the whole vector there
+	RawVector<std::uint32_t> blocks; // block of the cell that contains it
 	RawVector<CellId> cells;
 
 	std::size_t count() const { return starts.size() - 1; }

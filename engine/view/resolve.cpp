@@ -18,9 +18,9 @@ namespace
 probe::Frame frameOf(const ProbeSpec& spec, const Box& bounds)
 {
 	const surface::ImplicitSurface* form = implicitSurface(spec.surface);
-	// An expression is in the grid's own coordinates where nothing else is said.
+	// By default, an expression is in the grid's own coordinates.
 	const Vec3 origin = form && !form->isAboutOrigin() ? Vec3(0.0) : bounds.center();
-	// What a probe of its own says about its place gives way to the settings.
+	// The settings override the place in a probe file.
 	probe::Frame frame = spec.own && spec.own->placed ? spec.own->probe.frame : probe::Frame{origin};
 	if (spec.origin)
 		frame.origin = *spec.origin;
@@ -55,7 +55,7 @@ probe::Probe makePlanes(const ProbeSpec& spec, const Box& bounds)
 	return probe::single(frame, spec.window);
 }
 
-// Of sheets that wish for an array of their own.
+// Chooses the arrays of sheets that ask for one of their own.
 Status chooseSheetFields(const ProbeSpec& spec, const grid::BlockSet& blocks, ResolvedView& view)
 {
 	for (const probe::Sheet& sheet : view.probe.sheets)

@@ -81,7 +81,7 @@ Status checkPlace(const ProbeSpec& probe)
 	return Nothing{};
 }
 
-// What the shape of the probe has no use for.
+// Checks that no setting is given that the probe's shape does not use.
 Status checkShape(const ProbeSpec& probe)
 {
 	for (const auto& [given, key, shape] : {std::tuple{probe.vanes.has_value(), "vanes", ProbeShape::paddlewheel},

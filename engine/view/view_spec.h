@@ -44,7 +44,7 @@ struct InputSpec
 	double refine = 0.0;
 	double displace = 0.0; // factor for the displacements of points in Exodus files
 	std::string format;    // a name in read::formats(); if empty, the file tells
-	read::RawLayout raw{}; // of raw volumes
+	read::RawLayout raw{}; // layout of raw volumes
 
 	bool operator==(const InputSpec&) const = default;
 };
@@ -58,8 +58,8 @@ enum class ProbeShape : std::uint8_t
 	own // ProbeSpec::own
 };
 
-/// What replaces the planes of a probe: nothing, a surface about the frame of each sheet, grid surfaces from one index
-/// to another, or patches of the boundary. The last two replace the sheets as well.
+/// The surface that replaces the planes of a probe: none, a surface about the frame of each sheet, grid surfaces from
+/// one index to another, or patches of the boundary. The last two replace the sheets as well.
 using SurfaceSpec = std::variant<std::monostate, surface::ImplicitSurface, surface::GridIndexRange, find::PatchName>;
 
 /// Returns true if the surface replaces the sheets, so that no sheet is cut.
@@ -80,7 +80,7 @@ enum class TraceKind : std::uint8_t
 struct VectorSpec
 {
 	std::optional<TraceKind> kind; // empty: nothing is launched
-	std::string array;             // of three components, "[point:|cell:]NAME"; empty: the first such array
+	std::string array;             // an array of three components, "[point:|cell:]NAME"; empty: the first such array
 	int lattice = 20;              // points along the longer side of a window, 1 to kMaxLattice
 	double jitter = 0.0;           // 0 to 1: random shift of the points within their squares
 	std::optional<double> steps;   // 0 or more; if empty, it depends on the kind
@@ -98,7 +98,7 @@ struct VectorSpec
 
 constexpr int kMaxLattice = 1000; // a screen has fewer pixels than points beyond this
 
-/// What is cut, and which values are shown.
+/// The probe that cuts, and the values that it shows.
 struct ProbeSpec
 {
 	ProbeShape shape = ProbeShape::single;

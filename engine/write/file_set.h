@@ -44,10 +44,10 @@ private:
 	Status moveMembers(bool needs_new_folder);
 
 	std::string path_;
-	std::string folder_; // of the stem
+	std::string folder_; // folder of the stem
 	std::optional<OwnFolder> staging_;
 	std::vector<std::string> members_;
-	std::vector<std::string> moved_; // to where nothing was before; undone if the last step fails
+	std::vector<std::string> moved_; // files moved to new places; undone if the last step fails
 	bool made_folder_ = false;
 	bool done_ = false;
 };

@@ -29,8 +29,8 @@ constexpr int kFilmDescriptor = 3; // in ffmpeg: the first after the standard on
 struct Kind
 {
 	std::string_view ending;
-	const char* format;               // as ffmpeg calls it
-	std::vector<const char*> options; // of the codec
+	const char* format;               // ffmpeg's name for it
+	std::vector<const char*> options; // options of the codec
 };
 
 const std::vector<Kind>& kinds()

@@ -71,7 +71,7 @@ private:
 		text_ += '\n';
 	}
 
-	// Of integer type are only arrays whose numbers are names (slice_table.h): the nearer one holds.
+	// Only arrays whose numbers are names have an integer type (slice_table.h). They take the nearer value.
 	static double between(const Column& column, double a, double b, double part)
 	{
 		if (column.type != grid::NumberType::float32 && column.type != grid::NumberType::float64)

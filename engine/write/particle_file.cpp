@@ -37,7 +37,7 @@ struct LineTable
 	std::vector<std::int32_t> end;
 };
 
-// Of several processes, each has the cells of its own blocks.
+// Returns true if this process has the block's cells. Each process has only the cells of its own blocks.
 bool isHere(const grid::Block& block)
 {
 	return std::visit([](const auto& grid) { return grid.cellCount() > 0; }, block.grid);
@@ -97,7 +97,8 @@ void addPoints(const Traces& traces, const TraceColumns& columns, LineTable& tab
 			append(table.columns[a].bytes, columns.arrays[a].bytes);
 }
 
-// Of one sheet, whose points are first .. of the table: the traces of one point, or the others.
+// Adds the traces of one sheet: either those of one point (dots), or the others. The sheet's points begin at `first` in
+// the table.
 void addTraces(const Traces& traces, std::int32_t sheet, std::size_t first, bool dots, LineTable& table)
 {
 	std::vector<std::int64_t>& ids = dots ? table.dots : table.lines;

@@ -20,8 +20,8 @@ namespace vp::write
 // "vprobe:ends". traces[i] are sheet i's. "-" is standard output.
 Status writeTraces(const grid::BlockSet& blocks, std::span<const vectors::Traces> traces, const std::string& path);
 
-// What a file has at the points of the traces of a sheet, from the cells that contain them. Of several processes, each
-// finds the rows of points in its own blocks.
+// The columns of a file at the points of a sheet's traces, from the cells that contain the points. Each of several
+// processes finds the rows of points in its own blocks.
 struct TraceColumns
 {
 	std::vector<Column> arrays; // the same for all sheets

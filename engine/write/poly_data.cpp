@@ -36,7 +36,7 @@ const char* xmlType(std::optional<grid::NumberType> type)
 	return names[static_cast<int>(*type)];
 }
 
-// What the head tells of arrays at one place of the file.
+// The words of the head about arrays at one place of the file.
 struct Wording
 {
 	int indent;

@@ -20,7 +20,7 @@ struct XmlCells
 	std::size_t count() const { return starts.empty() ? 0 : starts.size() - 1; }
 };
 
-// What a .vtp file holds. Cell arrays hold values of the dots first, then of the lines, then of the polygons.
+// The content of a .vtp file. Cell arrays hold values of the dots first, then of the lines, then of the polygons.
 struct PolyData
 {
 	std::span<const Vec3> points;

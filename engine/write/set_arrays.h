@@ -13,17 +13,17 @@ namespace vp::write
 struct SetArray
 {
 	std::string name;
-	int components = 0;                        // of the widest
-	grid::NumberType type;                     // float64 where blocks differ
-	bool categorical;                          // in every block, of one type
-	std::vector<const grid::Field*> per_block; // null where a block lacks it
+	int components = 0;                        // components of the widest array
+	grid::NumberType type;                     // float64 if blocks differ
+	bool categorical;                          // categorical in every block, with one type
+	std::vector<const grid::Field*> per_block; // null if a block lacks it
 };
 
-// In the order in which the blocks have them.
+// Returns the arrays in the order in which the blocks have them.
 std::vector<SetArray> arraysOf(const grid::BlockSet& blocks, grid::Association association);
 
-// Of values between points: float32 for sources that fit (float32, integers of up to 16 bits), else float64; of a
-// categorical array, which is not interpolated, its own.
+// Returns the type of values between points: float32 for sources that fit (float32, integers of up to 16 bits), else
+// float64. A categorical array is not interpolated and keeps its type.
 grid::NumberType interpolatedType(const SetArray& array);
 
 // name, name_x, name_0 …

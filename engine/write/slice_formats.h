@@ -12,7 +12,7 @@ void writeVtp(const SliceTable& table, AtomicFile& file);
 void writePly(const SliceTable& table, AtomicFile& file);
 void writeCsv(const SliceTable& table, AtomicFile& file);
 
-// What a .vtp of the table holds. It refers to the table's memory.
+// Returns the content of a .vtp file of the table. It refers to the table's memory.
 PolyData polyDataOf(const SliceTable& table);
 
 } // namespace vp::write

@@ -16,7 +16,8 @@ namespace vp::write
 namespace
 {
 
-// Of `set`, which errors name: where a part lies until all are written is no place a user knows.
+// Writes a part of `set`. Errors name the set, since a user does not know the place where a part lies until all are
+// written.
 Status writePart(const SliceTable& table, const FileSet::Member& part, const std::string& set)
 {
 	Result<AtomicFile> file = AtomicFile::create(part.write_to);

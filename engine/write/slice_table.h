@@ -54,10 +54,10 @@ struct ContourPiece
 	double value;
 };
 
-// An array is known by its name and association. Where blocks hold it in different types it is float64, and as wide as
-// the widest. Interpolated values are float32 for sources that fit (float32, integers of up to 16 bits), else float64;
-// of a categorical array, which is not interpolated, they keep its type. meshes[i] is sheet first_sheet + i;
-// contours follow behind them all. A polygon with holes becomes several of the same cell (mesh/part_holes.h).
+// An array is identified by its name and association. If blocks hold it in different types, it is float64, and as wide
+// as the widest. Interpolated values are float32 for sources that fit (float32, integers of up to 16 bits), else
+// float64. A categorical array is not interpolated and keeps its type. meshes[i] is sheet first_sheet + i; contours
+// follow behind them all. A polygon with holes becomes several of the same cell (mesh/part_holes.h).
 SliceTable tabulate(const grid::BlockSet& blocks, std::span<const mesh::SheetMesh> meshes, std::size_t first_sheet = 0,
                     std::span<const ContourPiece> contours = {});
 

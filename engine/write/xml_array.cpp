@@ -31,7 +31,7 @@ struct Range
 	}
 };
 
-// Of vectors the squares of their lengths.
+// Returns the range of the values. For vectors it is the range of their squared lengths.
 template <class T>
 Range rangeOf(const std::byte* numbers, std::size_t tuples, std::size_t components)
 {

@@ -1,5 +1,5 @@
-// What the GPU classifier hands to its shader. Four-byte fields, scalar layout; a double travels as its two halves, low
-// first.
+// The data that the GPU classifier passes to its shader. Four-byte fields, scalar layout. A double is passed as its two
+// halves, low first.
 #ifndef CLASSIFY_TYPES_H
 #define CLASSIFY_TYPES_H
 
@@ -41,7 +41,8 @@ VP_CONST uint kPointsFixed = 1u; // three signed numbers of 41 bits, from the bl
 VP_CONST uint kFixedLowBits = 9u;
 VP_CONST uint kFixedInexactShift = 27u; // bit 27 + axis: the source is not exactly this number
 
-// What the values belong to: one number each, or, to show the length of a tuple, as many fours of numbers as hold it.
+// The elements that have values: one number each, or, to show the length of a tuple, as many groups of four numbers as
+// hold it.
 VP_CONST uint kValuesNone = 0u; // `no_value` everywhere
 VP_CONST uint kValuesPoint = 1u;
 VP_CONST uint kValuesCell = 2u;
@@ -51,18 +52,18 @@ VP_CONST uint kValuesCellTuple = 4u;
 // One sheet in a block, for the length of a cut.
 struct ClassifyPlane
 {
-	uint normal[6];         // of the plane, unit, canonical
-	uint origin[6];         // of the sheet
-	uint center[6];         // of the block's fixed-point numbers
+	uint normal[6];         // canonical unit normal of the plane
+	uint origin[6];         // origin of the sheet
+	uint center[6];         // center of the block's fixed-point numbers
 	float unit[3];          // their unit, a power of two
 	float single_normal[3]; // the same in floats, for devices without doubles
 	float single_center[3]; // center - origin
 	float single_origin_hi[3];
 	float single_origin_lo[3];
-	float x_axis[3]; // of the sheet
+	float x_axis[3]; // axes of the sheet
 	float y_axis[3];
 	float error;            // bound of |distance here - distance on the CPU|, see distanceError()
-	float least_difference; // of the distances at the ends of a cut edge
+	float least_difference; // least difference of the distances at the ends of a cut edge
 	uint inexact_mask;      // flags of the axes that the normal has a part in; a point without them is exact
 	uint cells_i;           // lattices
 	uint cells_j;
@@ -71,8 +72,8 @@ struct ClassifyPlane
 	uint points_i;
 	uint points_layer;
 	uint axis_start[3];
-	uint table_start[4]; // of each shape in the case tables
-	uint tuple_texels;   // a point or cell, of four numbers each
+	uint table_start[4]; // start of each shape in the case tables
+	uint tuple_texels;   // texels of a point or cell, of four numbers each
 	float no_value;
 	uint flipped; // 1: the plane's normal is not the sheet's, so the polygons turn the other way
 	uint nearest; // 1: a vertex takes the value of the nearer end of its edge

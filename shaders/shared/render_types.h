@@ -1,4 +1,4 @@
-// What the drawing's shaders and engine/render share. Four-byte fields, scalar layout.
+// Types and constants that the drawing's shaders and engine/render share. Four-byte fields, scalar layout.
 #ifndef RENDER_TYPES_H
 #define RENDER_TYPES_H
 
@@ -34,12 +34,12 @@ VP_CONST uint kRasterBands = 8u;      // groups that share the rows of a huge po
 VP_CONST uint kSubpixels = 256u;      // a pixel's side has so many places for corners: as many as hardware has
 VP_CONST uint kMaxRasterSide = 64u;   // pixels; of larger polygons the edges would not fit into 32 bits
 
-// Its stages: each takes what the first one left to it.
+// Its stages. Each takes the polygons that the first one left to it.
 VP_CONST uint kRasterSmall = 0u;
 VP_CONST uint kRasterLarge = 1u;
 VP_CONST uint kRasterHuge = 2u;  // or reaching the near plane, or far outside of the picture
-VP_CONST uint kRasterLists = 2u; // of a run, for the stages after the first one
-// Where a picture has more samples than one: the polygons near edges are listed, and take the place of all in the first
+VP_CONST uint kRasterLists = 2u; // lists of a run, for the stages after the first one
+// If a picture has more than one sample, the polygons near edges are listed, and replace all polygons in the first
 // stage.
 VP_CONST uint kRasterKeep = 3u;
 VP_CONST uint kRasterKept = 4u;
@@ -57,15 +57,15 @@ struct RasterPush
 	float near_w;    // w of the near plane
 	float largest;   // side of a small polygon, subpixels
 	float last_pixel[2];
-	uint first;       // record of the page
-	uint count;       // of records
+	uint first;       // first record of the page
+	uint count;       // number of records
 	uint lists;       // place of the run's first RasterList
 	uint listed_from; // place of the run's first number in the list
-	uint kept_list;   // place of the RasterList of what it keeps
+	uint kept_list;   // place of the RasterList of the kept polygons
 	uint kept_from;   // place of the first number that it keeps
 };
 
-// What a run leaves to a later stage.
+// The polygons that a run leaves to a later stage.
 struct RasterList
 {
 	uint groups[3]; // VkDispatchIndirectCommand
@@ -111,7 +111,7 @@ struct QuadList
 	uint count;
 };
 VP_CONST uint kQuadGroupSize = 64u;      // threads, one a pixel
-VP_CONST uint kQuadGroupsAcross = 4096u; // of a dispatch; then the next row of groups begins
+VP_CONST uint kQuadGroupsAcross = 4096u; // groups in a row of a dispatch; then the next row begins
 
 struct LineSegment
 {
@@ -125,8 +125,8 @@ VP_CONST uint kSegmentCorners = 6u;
 struct LinePush
 {
 	float clip[16];     // columns
-	float half_size[2]; // of the picture, pixels
-	float half_width;   // of a line, pixels
+	float half_size[2]; // half the picture's size, pixels
+	float half_width;   // half a line's width, pixels
 	float near_w;       // w of the near plane
 	float depth_bias;   // factor on near / w: lines in a sheet's rim win
 };
@@ -134,15 +134,15 @@ struct LinePush
 struct ComposePush
 {
 	float jitter[2]; // pixels by which this sample's picture is moved
-	uint number;     // of the sample, from 1 on; at edges only
+	uint number;     // number of the sample, from 1 on; at edges only
 	uint last_number;
-	uint layers;   // that may be here, in the order of their numbers
-	uint slots[2]; // which: four bits each
+	uint layers;   // number of layers that may be here, in the order of their numbers
+	uint slots[2]; // their numbers, four bits each
 };
 
 struct ResolvePush
 {
-	int first_row; // of the picture that is the first of the part that was drawn
+	int first_row; // the picture's row that is the first of the drawn part
 };
 
 // Features of the composing pass, known when its pipeline is made: what a picture does not use costs nothing.
@@ -166,7 +166,7 @@ struct SheetParams
 	float range_lo;
 	float range_scale; // t = (y - lo) * scale + offset
 	float range_offset;
-	float shade; // of the light on it, a factor on colors
+	float shade; // shade by the light on the sheet, a factor on colors
 	uint is_log;
 	uint is_stepped;  // values are constant in each polygon
 	uint colors;      // place of kTableColors colors over t from 0 to 1
@@ -197,7 +197,7 @@ struct ComposeParams
 	float sample_weight;      // 1 / samples
 	float contour_half_width; // pixels
 	float line_color[4];
-	float top_color[4]; // of the background
+	float top_color[4]; // colors of the background
 	float bottom_color[4];
 	uint layer_colors[kMaxLayers]; // where a layer's colors begin
 	SheetParams sheets[kMaxLayers];
@@ -207,14 +207,14 @@ struct ComposeParams
 struct SurfaceTriangle
 {
 	uint corners[3]; // vertices; with kHiddenEdge the edge to the next corner is no edge of the polygon
-	float value;     // of the polygon, where values are its; else wholeValue() of its corners (render_whole.glsl)
+	float value;     // the polygon's value; else wholeValue() of its corners (render_whole.glsl)
 	uint normals[3]; // at the corners, unit, octahedral, two 16-bit snorms
 	float width;     // factor from the triangle's width to the polygon's: 4 area / perimeter each
 };
 
-// What values mean in pictures, beside kNanValue and kEmptyValue: data are no larger than kInfiniteValue, which is what
-// infinite ones come as, and from kInfiniteFrom on they count as infinite (an edge that leads from a finite value to
-// an infinite one may be cut near the finite one; common marks for missing data, up to 1e37, are finite).
+// Special values in pictures, beside kNanValue and kEmptyValue. Data are no larger than kInfiniteValue, which stands
+// for infinity. Values from kInfiniteFrom on count as infinite, since an edge from a finite value to an infinite one
+// may be cut near the finite one. Common marks for missing data, up to 1e37, are finite.
 VP_CONST float kInfiniteValue = 2.0e38f;
 VP_CONST float kInfiniteFrom = 1.0e37f;
 VP_CONST float kNanFrom = 2.5e38f;
@@ -230,11 +230,11 @@ struct SurfacePush
 	uint surface;   // its number in the scene
 	float near_w;   // w of the near plane, the least bit less: a sheet in the surface's plane is in front
 	float mesh_half_width;
-	uint counter;  // of this sample and strip
-	uint capacity; // of the fragments
+	uint counter;  // counter of this sample and strip
+	uint capacity; // capacity for fragments
 };
 
-// Of the triangles of an opaque surface those are found that later samples may show: a bit each, then indices of their
+// The triangles of an opaque surface that later samples may show: a bit for each triangle, then the indices of their
 // corners, and a VkDrawIndexedIndirectCommand.
 VP_CONST uint kCullGroupSize = 64u;
 VP_CONST uint kKeptGroupSize = 128u;
@@ -243,11 +243,11 @@ struct SurfaceCullPush
 {
 	float clip[16]; // from places about the surface's origin, columns
 	float near_w;   // as in SurfacePush
-	float width;    // of the picture, pixels
+	float width;    // size of the picture, pixels
 	float height;
-	uint count;       // of triangles
-	uint first_word;  // of their bits
-	uint first_index; // of their corners
+	uint count;       // number of triangles
+	uint first_word;  // first word of the bits
+	uint first_index; // first index of the corners
 	uint draw;        // its number
 };
 
@@ -262,10 +262,10 @@ struct IndexedDraw
 
 // Features of a surface beside those of the composing pass.
 VP_CONST uint kSurfaceLit = 16u;
-VP_CONST uint kSurfacePolygonValues = 32u; // and not of vertices
+VP_CONST uint kSurfacePolygonValues = 32u; // values belong to polygons, not to vertices
 VP_CONST uint kSurfaceThick = 64u;         // more opaque the more it is seen from the side
 
-// What a surface's pass reads. The light's share that has no direction is kAmbient.
+// The input of a surface's pass. kAmbient is the share of light that has no direction.
 struct SurfaceColors
 {
 	float contour_half_width; // pixels

@@ -1,4 +1,4 @@
-// What the classify shader, the traversal and the drawing share. Four-byte fields, scalar layout.
+// Types and constants that the classify shader, the traversal and the drawing share. Four-byte fields, scalar layout.
 #ifndef SLICE_TYPES_H
 #define SLICE_TYPES_H
 
@@ -23,7 +23,7 @@ struct PolygonRecord
 	uint cell;                        // in its block
 	uint vertices;                    // 0, or 3..6; of a polygon in several records with its hidden edges
 	float uv[2 * kMaxRecordVertices]; // in the sheet's frame, from its origin, grid units
-	float value[kMaxRecordVertices];  // of the shown array; NaN data are kNanValue
+	float value[kMaxRecordVertices];  // values of the shown array; NaN data are kNanValue
 };
 
 // Values cannot be told apart by NaN safely in shaders: fast-math drivers may drop the test.

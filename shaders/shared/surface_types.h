@@ -1,5 +1,5 @@
-// What the classifier of curved surfaces hands to its shader. Bindings, specialisation constants, push constants and
-// formats are those of classify_types.h. Four-byte fields, scalar layout.
+// The data that the classifier of curved surfaces passes to its shader. Bindings, specialization constants, push
+// constants and formats are those of classify_types.h. Four-byte fields, scalar layout.
 #ifndef SURFACE_TYPES_H
 #define SURFACE_TYPES_H
 
@@ -14,9 +14,9 @@ VP_CONST uint kQuadricCoefficients = 10u;
 // grids it is stored as it is. Where `turned` is 1 the surface is a function of coordinates along the axes.
 struct ClassifySurface
 {
-	float unit[3]; // of fixed-point numbers
+	float unit[3]; // unit of fixed-point numbers
 	float shift[3];
-	float place_error[3]; // of a coordinate, before it is rounded here
+	float place_error[3]; // error of a coordinate, before it is rounded here
 	uint cells_i;         // lattices, as in ClassifyPlane
 	uint cells_j;
 	uint inverse_i;

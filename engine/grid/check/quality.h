@@ -68,7 +68,7 @@ struct Quality
 Quality checkQuality(const BlockSet& blocks);
 
 // Returns true if no point belongs to two cells of the file, as discontinuous Galerkin methods write them. The copies
-// of a point have values of their own, so they are not meant to be merged.
+// of points have values of their own, so they are not meant to be merged.
 bool haveOwnPoints(const UnstructuredGrid& grid);
 
 // Parts of checkQuality().

@@ -21,7 +21,7 @@ namespace
 constexpr const char* kKinds[] = {"image", "rectilinear", "curvilinear", "unstructured"};
 constexpr std::size_t kUnstructured = 3;
 
-// What the other ranks know about a block that they do not hold.
+// The facts about a block that ranks know although they do not hold it.
 struct Described
 {
 	std::size_t kind = 0;

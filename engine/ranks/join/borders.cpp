@@ -23,7 +23,7 @@ namespace vp::ranks
 namespace
 {
 
-/// What the owners of places find about the vertices there.
+/// The links and groups of vertices that the owners of places find.
 struct Found
 {
 	std::vector<Link> links;

@@ -9,7 +9,7 @@
 namespace vp::ranks
 {
 
-/// What a rank knows about the blocks of other ranks, for particles that move there.
+/// The facts about the blocks of other ranks that a rank knows, for particles that move there.
 struct ParticleBorders
 {
 	vectors::BlockBorders blocks;

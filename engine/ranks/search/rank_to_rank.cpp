@@ -29,7 +29,7 @@ bool isEmpty(const seed::SheetSeeds& seeds)
 	return std::ranges::all_of(seeds.cells, [](const auto& cells) { return cells.empty(); });
 }
 
-/// What a rank has found for a sheet's hot spot.
+/// The result of a rank's search for a sheet's hot spot.
 struct FoundSpot
 {
 	bool is_inside;

@@ -12,8 +12,8 @@ namespace
 {
 
 constexpr double kSceneLabelsApart = 30.0; // em, along a line
-constexpr double kSoftHalo = 0.5;          // of the plate's opacity, on translucent sheets
-constexpr double kHides = 0.6;             // a sheet of this opacity
+constexpr double kSoftHalo = 0.5;          // share of the plate's opacity, on translucent sheets
+constexpr double kHides = 0.6;             // a sheet of this opacity hides what is behind it
 
 // Even-odd.
 bool isInside(const glm::dvec2& p, const std::vector<measure::PlaneLine>& rim)

@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr const char* kEllipsis = "…";
-constexpr unsigned kLastDefaultLetter = 0xFF; // of GetGlyphRangesDefault()
+constexpr unsigned kLastDefaultLetter = 0xFF; // last letter of GetGlyphRangesDefault()
 
 bool startsLetter(char c)
 {

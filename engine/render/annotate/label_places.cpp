@@ -16,19 +16,19 @@ namespace
 {
 
 // In heights of the label.
-constexpr double kMargin = 0.35;  // free on either side of a label, of the line and of other labels
-constexpr double kMaxBend = 0.42; // of the line off the label's middle
-constexpr double kProbe = 0.5;    // between the places where lines are looked for
+constexpr double kMargin = 0.35;  // free space on either side of a label, without lines or labels
+constexpr double kMaxBend = 0.42; // largest distance of the line from the label's middle
+constexpr double kProbe = 0.5;    // distance between the places where lines are looked for
 
 // In lengths of the part that a label takes.
 constexpr double kShortestLine = 1.6;
 constexpr double kShortestLoop = 2.8;
 
-// A place's marks, in which less is better.
-constexpr double kSteepness = 0.25; // of an upright label
-constexpr double kOffMiddle = 0.3;  // of a label at an end of its line
-constexpr double kOverLine = 1.5;   // of a probe of another line
-constexpr double kWorst = 3.0;      // no label is better than such a place
+// Penalties of a place. Less is better.
+constexpr double kSteepness = 0.25; // penalty of an upright label
+constexpr double kOffMiddle = 0.3;  // penalty of a label at an end of its line
+constexpr double kOverLine = 1.5;   // penalty of each probe that meets another line
+constexpr double kWorst = 3.0;      // at such a place there is no label
 
 // A line by its length.
 class Route

@@ -15,7 +15,7 @@ struct LabeledLine
 {
 	std::vector<glm::dvec2> points;
 	bool closed = false;
-	double width = 0.0; // of its label; 0: it gets none, and other labels avoid it if they can
+	double width = 0.0; // width of its label; 0: it gets no label, and other labels avoid it if they can
 };
 
 // The place of a label: on its line, along it, never upside down.

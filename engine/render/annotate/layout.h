@@ -12,7 +12,7 @@
 namespace vp::render
 {
 
-constexpr double kLineHeight = 1.25; // of text, in em
+constexpr double kLineHeight = 1.25; // height of a line of text, in em
 
 struct Area
 {
@@ -45,14 +45,14 @@ struct LegendLayout
 struct Layout
 {
 	double em;       // size of plain text
-	double title_em; // of the picture's title
-	double small_em; // of the caption
+	double title_em; // size of the picture's title
+	double small_em; // size of the caption
 	double margin;
 
 	Area title;
 	Area caption;
 	Area axes;
-	std::vector<LegendLayout> legends; // of the first contents, as many as fit, maybe none; from top to bottom
+	std::vector<LegendLayout> legends; // legends of the first contents that fit, from top to bottom; may be empty
 
 	Frame frame;
 };

@@ -13,7 +13,7 @@ namespace
 constexpr double kDigitWidth = 0.64;
 constexpr double kLetterWidth = 0.60;
 
-constexpr double kLongestTitleLine = 9.0; // of the legend, em
+constexpr double kLongestTitleLine = 9.0; // longest line of a legend's title, em
 
 std::size_t letters(const std::string& utf8)
 {
@@ -58,7 +58,7 @@ std::size_t longestLabel(const ColorMap& map, const LegendLayout& layout)
 	return layout.categories < map.categories.size() ? std::max<std::size_t>(longest, 9) : longest; // "… 99 more"
 }
 
-// What a legend may fill, from top to bottom.
+// The room that a legend may fill, from top to bottom.
 struct Slot
 {
 	double lo;     // highest line of the title

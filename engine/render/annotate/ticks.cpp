@@ -50,7 +50,7 @@ Ticks constantTick(double value, int digits = 4)
 	return ticks;
 }
 
-// Of ascending values; a single one is told to a thousandth of its sixth digit.
+// Returns the least distance between ascending values. For a single value, returns a millionth of it.
 double leastDistance(const std::vector<double>& values)
 {
 	double least = std::numeric_limits<double>::infinity();

@@ -6,7 +6,7 @@ namespace vp::render
 namespace
 {
 
-// Of numbers, beside what the font has in any case.
+// Signs in numbers, beyond the letters that the font always has.
 constexpr const char* kSigns = "\u2212×⁰¹²³⁴⁵⁶⁷⁸⁹⁻";
 
 } // namespace

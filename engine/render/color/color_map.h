@@ -12,8 +12,8 @@
 namespace vp::render
 {
 
-// Encoded in sRGB, as in a picture; blending happens in this encoding too, so that an opacity of one half is the mean
-// of two colors as a user reads them off.
+// A color in sRGB, as in a picture. Blending uses this encoding too, so an opacity of one half gives the mean of two
+// colors as a user sees their numbers.
 struct Color
 {
 	std::uint8_t r = 0;

@@ -8,8 +8,8 @@
 namespace vp::render
 {
 
-// What --colormap takes: a name of ours or FILE.json[:PRESET], either with _r behind it for the reverse. An unknown
-// name is a usage error, a file that does not serve an input error; both in one line with the remedy.
+// Returns the color map that --colormap names: one of ours or FILE.json[:PRESET], either with _r at the end for the
+// reverse. An unknown name is a usage error, and an unusable file is an input error. Both are one line with the remedy.
 Result<ColorMap> chooseColorMap(const std::string& text);
 
 // ParaView's presets: an object, or an array of them, from which `preset` chooses by Name (empty: there must be one).

@@ -18,7 +18,7 @@ namespace
 
 using nlohmann::json;
 
-constexpr std::size_t kMaxPresetNumbers = 400'000; // of a list in a preset
+constexpr std::size_t kMaxPresetNumbers = 400'000; // largest number of entries in a preset's list
 constexpr std::size_t kMaxCategories = 1024;
 
 Error badPreset(const std::string& what)

@@ -16,13 +16,13 @@ namespace
 
 constexpr double kSmallView = 14.0;   // em, at most
 constexpr double kMinSmallView = 4.0; // em; the axes' names take 3.2 of it
-constexpr double kAroundData = 0.02;  // of its size, free around a slice without a window
-constexpr double kNumberWidth = 4.5;  // em, between numbers of the level axis
-constexpr double kNumberHeight = 2.4; // em, and of the upright one
-constexpr double kMinRest = 12.0;     // em, of a plot and its numbers beside a legend
+constexpr double kAroundData = 0.02;  // share of its size that stays free around a slice without a window
+constexpr double kNumberWidth = 4.5;  // em, between numbers of the horizontal axis
+constexpr double kNumberHeight = 2.4; // em, between numbers of the upright axis
+constexpr double kMinRest = 12.0;     // em, least width of a plot and its numbers beside a legend
 constexpr int kMaxTickNumbers = 12;
 
-// What is shown: the window, else what the slice covers, else where the bounds lie.
+// Returns the area that is shown: the window, else the area of the slice, else the area of the bounds.
 Area shownArea(const FlatScene& flat)
 {
 	if (const auto& window = flat.content.window)
@@ -135,8 +135,8 @@ FlatLayout makeFlatLayout(const FlatScene& flat, const std::vector<LegendContent
 	const double right = layOutColumn(flat, legends, layout);
 	layout.text.title.hi.x = layout.text.caption.hi.x = right;
 
-	const double beside = (kFlatTick + 2.0 * kFlatGap + 1.25) * em; // of an axis, without its numbers
-	const glm::dvec2 half_number(1.2 * em, 0.5 * em);               // at the far ends
+	const double beside = (kFlatTick + 2.0 * kFlatGap + 1.25) * em; // width of an axis without its numbers
+	const glm::dvec2 half_number(1.2 * em, 0.5 * em);               // half a number at the far ends
 	Area free = {{text.frame.free_lo.x + beside, text.frame.free_lo.y + half_number.y},
 	             {right - half_number.x, text.frame.free_hi.y - beside - 1.1 * em}};
 	PlaneAxis& upright = layout.axes[1];

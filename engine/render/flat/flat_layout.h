@@ -32,7 +32,7 @@ struct FlatLayout
 	Area shown;   // the sheet's coordinates in the plot, y up
 	double scale; // pixels to a unit, along both axes
 	std::array<PlaneAxis, 2> axes;
-	double widest_number; // of the upright axis, pixels
+	double widest_number; // widest number of the upright axis, pixels
 	Area small;           // the small view of the grid
 
 	glm::dvec2 pixel(const glm::dvec2& uv) const

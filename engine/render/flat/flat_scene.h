@@ -13,10 +13,10 @@ namespace vp::render
 // A sheet seen straight on and true to scale, with axes. Beside it a small view shows where the sheet lies in the grid.
 struct FlatScene
 {
-	Scene scene;         // of this sheet alone; its records and its camera are not used
-	CameraChoice camera; // of the small view
+	Scene scene;         // has this sheet alone; its records and its camera are not used
+	CameraChoice camera; // camera of the small view
 	probe::Sheet content;
-	const mesh::SheetMesh* mesh = nullptr; // of the content
+	const mesh::SheetMesh* mesh = nullptr; // mesh of the content
 	SheetValues values;
 	// The number of color steps over the range, if the look has no bands. At most 256, as in a color map. A file of
 	// polygons grows with it.

@@ -36,7 +36,7 @@ constexpr double kFlatLabelsApart = 26.0;  // em, along a line
 std::vector<glm::dvec2> thinned(const std::vector<glm::dvec2>& points)
 {
 	std::vector<glm::dvec2> kept;
-	std::size_t last = 0; // of those kept
+	std::size_t last = 0; // last point that was kept
 	const auto straight = [&](std::size_t to)
 	{
 		const glm::dvec2 chord = points[to] - points[last];
@@ -93,7 +93,7 @@ private:
 		return pixels;
 	}
 
-	// Of areas as measure::Contours gives them. seam: how far beyond their rim, pixels.
+	// Fills areas as measure::Contours gives them. seam: how far to fill beyond their rim, pixels.
 	void fill(const std::vector<PlaneLine>& outlines, Color color, double seam)
 	{
 		if (outlines.empty())
@@ -123,7 +123,7 @@ private:
 			fill(outlines[i], i == nan ? style_.colors->nan : steps.colors[i], kSeam);
 	}
 
-	// What is infinite throughout, over the color of NaN. Categories have none so large.
+	// Fills polygons that are infinite everywhere, over the color of NaN. Categories have no infinite values.
 	void fillInfinite()
 	{
 		if (!(style_.below || style_.above) || !style_.colors->categories.empty())

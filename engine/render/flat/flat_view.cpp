@@ -18,8 +18,8 @@ namespace
 constexpr Color kSheetOnLight{190, 209, 237};
 constexpr Color kSheetOnDark{44, 72, 122};
 constexpr Color kSheetRim{92, 127, 190};
-constexpr double kDash = 0.3;            // em, of hidden edges
-constexpr std::size_t kMaxLines = 20000; // of the outline: more would be a blot
+constexpr double kDash = 0.3;            // em, dashes of hidden edges
+constexpr std::size_t kMaxLines = 20000; // largest number of outline lines; more would be a blot
 
 class SmallView
 {
@@ -65,7 +65,7 @@ private:
 		return {world({w.x0, w.y0}), world({w.x1, w.y0}), world({w.x1, w.y1}), world({w.x0, w.y1})};
 	}
 
-	// Of the box: those behind, or the others.
+	// Draws the box's near edges, or those behind.
 	void edges(bool near)
 	{
 		const double dash = kDash * em_;

@@ -9,11 +9,11 @@
 namespace vp::render
 {
 
-// Makes `buffer` one that holds at least `bytes`; keeps it where it does already. By default the host writes it.
+// Makes room for `bytes` in `buffer`. Keeps the buffer if it is large enough. By default the host writes it.
 Status makeRoom(gpu::Device& device, gpu::Buffer& buffer, VkDeviceSize bytes, VkBufferUsageFlags usage,
                 std::string_view name, gpu::Memory memory = gpu::Memory::upload);
 
-// What the host writes and shaders read as texels.
+// A buffer that the host writes and shaders read as texels.
 struct HostTexels
 {
 	gpu::Buffer buffer;

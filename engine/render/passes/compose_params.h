@@ -14,13 +14,13 @@
 namespace vp::render
 {
 
-// What the composing pass reads: parameters, the tables they point into, and which features (shared::kCompose bits) the
-// scene needs.
+// The input of the composing pass: parameters, the tables that they point into, and the features (shared::kCompose
+// bits) that the scene needs.
 struct ComposeParams
 {
 	shared::ComposeParams params;
 	std::vector<std::uint32_t> tables; // not empty
-	LayerColors colors;                // of the sheets' layers; not empty
+	LayerColors colors;                // colors of the sheets' layers; not empty
 	std::uint32_t features = 0;
 };
 

@@ -135,7 +135,7 @@ Result<gpu::Pipeline> ComposePass::makePipeline(std::uint32_t slots, std::uint32
 	{
 		info.depth_format = kDepthFormat;
 		info.depth_test = true;
-		info.depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL; // of render_full.vert's 0 and the mask
+		info.depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL; // compares the 0 of render_full.vert with the mask
 	}
 	return gpu::Pipeline::create(*device_, info, "compose");
 }
@@ -250,7 +250,7 @@ Status ComposePass::writeResolveSet(const Targets& targets, const EdgeMask* mask
 	if (mask)
 		writer.sampledImage(2, mask->image().view(), sampler_.handle(), EdgeMask::kLayout);
 	else
-		writer.sampledImage(2, targets.lines.view(), sampler_.handle()); // of one sample: its weight is 1 either way
+		writer.sampledImage(2, targets.lines.view(), sampler_.handle()); // one sample: weight 1
 	writer.write(*device_, resolve_set_);
 	return Nothing{};
 }

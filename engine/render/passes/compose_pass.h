@@ -83,7 +83,7 @@ private:
 	Result<VkDescriptorSet> compositionSet(const Targets& targets, const SurfaceTargets* surfaces);
 
 	std::map<std::tuple<std::uint32_t, std::uint32_t, bool>, Pipelines> pipelines_; // by slots, features, surfaces
-	// Of the scene prepared last: what draws all its sheets, and its regions.
+	// The scene prepared last: the pipelines that draw all its sheets, and its regions.
 	struct Region
 	{
 		VkRect2D pixels;
@@ -101,7 +101,7 @@ private:
 	gpu::Sampler sampler_;
 	gpu::Buffer params_;
 	HostTexels tables_;
-	HostTexels colors_; // of layers
+	HostTexels colors_; // colors of the layers
 	VkDescriptorSet set_ = VK_NULL_HANDLE;
 	VkDescriptorSet quads_set_ = VK_NULL_HANDLE;
 	VkDescriptorSet resolve_set_ = VK_NULL_HANDLE;

@@ -14,7 +14,7 @@ namespace vp::render
 namespace
 {
 
-// Of each vertex the polygons about it, one list after the other.
+// The polygons about each vertex, one list after the other.
 struct PolygonsAbout
 {
 	std::vector<std::uint32_t> starts;

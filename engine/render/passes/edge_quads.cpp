@@ -15,7 +15,7 @@ namespace
 static_assert(sizeof(shared::QuadList) == sizeof(VkDispatchIndirectCommand) + sizeof(std::uint32_t) &&
               shared::kEdgeGroupSize % (shared::kEdgeTile / 2) == 0);
 
-constexpr VkDeviceSize kSumBytes = 8;        // of a pixel
+constexpr VkDeviceSize kSumBytes = 8;        // bytes of a pixel's sum
 constexpr std::uint32_t kMaxSide = 1u << 17; // a quad's place is two times 16 bits
 
 constexpr VkPipelineStageFlags2 kQuadStage = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;

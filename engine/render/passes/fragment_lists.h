@@ -34,19 +34,19 @@ public:
 	}
 	std::uint32_t capacity() const { return capacity_; } // fragments
 
-	void recordStart(VkCommandBuffer commands) const;  // of a picture
+	void recordStart(VkCommandBuffer commands) const;  // at the start of a picture
 	void recordSample(VkCommandBuffer commands) const; // empties the lists
 	// Between drawing a strip's surfaces and composing it, and before the next strip's.
 	void recordBarrier(VkCommandBuffer commands) const;
-	void recordEnd(VkCommandBuffer commands) const; // of a picture
+	void recordEnd(VkCommandBuffer commands) const; // at the end of a picture
 
-	// After the picture: whether every fragment had room. If not, prepare() follows and the picture is drawn again. An
-	// error where a single row of pixels has more fragments than fit.
+	// Call it after the picture. Returns true if every fragment had room. If not, call prepare() and draw the picture
+	// again. It is an error if a single row of pixels has more fragments than fit.
 	Result<bool> complete();
 
-	// Makes room for so many fragments. Returns whether there are other buffers now; an error where there is no room.
+	// Makes room for this number of fragments. Returns true if the buffers are new. It is an error if there is no room.
 	Result<bool> makeRoom(std::uint64_t fragments);
-	// Of a sample that is done, after complete(): the fragments of a picture in one strip.
+	// Returns the number of fragments of a finished sample of a picture in one strip. Call it after complete().
 	std::uint32_t count(std::size_t sample) const { return counts_.mappedAs<std::uint32_t>()[sample]; }
 
 	// Copies all lists to a host's buffers, behind what has been drawn, and back again.

@@ -172,7 +172,7 @@ Status LayerPass::makeIndices(std::uint32_t records)
 	return Nothing{};
 }
 
-// What each layer is to be drawn from.
+// Returns the sources from which each layer must be drawn.
 std::vector<LayerPass::Drawn> LayerPass::wanted(const Scene& scene, const PicturePart& part, const glm::dvec2& jitter,
                                                 bool only_edges) const
 {

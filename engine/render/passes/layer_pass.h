@@ -27,15 +27,15 @@ public:
 	// Descriptors for the scene's records; before record(), while no submission draws. edges: null for a picture of one
 	// sample.
 	Status prepare(const Scene& scene, const Targets& targets, const EdgeTiles* edges = nullptr);
-	// Leaves the layers ready to be sampled. How many were drawn. edges: of the picture's first sample; then no more
-	// than what is near them is sure to be drawn. Null: all is.
+	// Leaves the layers ready to be sampled. Returns how many were drawn. edges: the edges of the picture's first
+	// sample; then only pixels near them are sure to be drawn. Null: all pixels are.
 	std::size_t record(VkCommandBuffer commands, const Scene& scene, const Targets& targets, const glm::dvec2& jitter,
 	                   const EdgeTiles* edges = nullptr);
-	// What was recorded did not run, or the layers are others.
+	// Call it if the recorded commands did not run, or if the layers are new.
 	void forget() { drawn_.clear(); }
 
 private:
-	// What a layer was drawn from.
+	// The sources that a layer was drawn from.
 	struct Drawn
 	{
 		std::weak_ptr<const classify::SheetRecords> records; // weak: their pages go back to be filled anew
@@ -68,10 +68,10 @@ private:
 	std::uint32_t raster_side_ = 0;
 	std::map<std::uint32_t, gpu::Pipeline> pipelines_;
 	gpu::DescriptorSets sets_;
-	gpu::Pipeline clear_; // of the surroundings of edges; made on first use
+	gpu::Pipeline clear_; // clears the surroundings of edges; made on first use
 	gpu::DescriptorSets clear_sets_;
-	gpu::Buffer indices_; // of as many records as the largest page has
-	// Of the scene prepared last, per sheet.
+	gpu::Buffer indices_; // indices of as many records as the largest page has
+	// The scene prepared last, per sheet.
 	std::vector<const gpu::Pipeline*> sheet_pipelines_;
 	std::vector<bool> computed_;
 	std::vector<std::size_t> first_sets_;

@@ -17,7 +17,7 @@ namespace
 
 static_assert(sizeof(shared::LineSegment) == 24 && sizeof(shared::LinePush) == 84 && sizeof(shared::TilesPush) == 12);
 
-// Of the nearer half of a line's width, so that edges within a sheet's plane are not eaten by rounding.
+// Brings lines a little nearer, so that rounding does not hide the nearer half of edges within a sheet's plane.
 constexpr float kDepthBias = 1.0005f;
 
 void storePlace(float (&to)[3], const Vec3& from)

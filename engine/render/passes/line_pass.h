@@ -23,15 +23,15 @@ public:
 
 	// edges: null where all samples are drawn everywhere.
 	Status prepare(const Scene& scene, const EdgeTiles* edges);
-	// Lines that would come out as they are already are left as they are. edges: of the picture's first sample; then
-	// what is not near them is not sure to be right. Null: all is.
+	// Does not draw lines again that would come out the same. edges: the edges of the picture's first sample; then only
+	// pixels near them are sure to be right. Null: all pixels are.
 	void record(VkCommandBuffer commands, const Scene& scene, const Targets& targets, const glm::dvec2& jitter,
 	            const EdgeTiles* edges = nullptr);
-	// What was recorded did not run, or the depths are others.
+	// Call it if the recorded commands did not run, or if the depths are new.
 	void forget() { drawn_.reset(); }
 
 private:
-	// What the depths were drawn from, beside the segments.
+	// The sources that the depths were drawn from, beside the segments.
 	struct Drawn
 	{
 		std::uint32_t count;
@@ -46,12 +46,12 @@ private:
 	gpu::Device* device_ = nullptr;
 	gpu::Pipeline pipeline_;
 	gpu::DescriptorSets sets_;
-	gpu::Pipeline clear_; // of the surroundings of edges; made on first use
+	gpu::Pipeline clear_; // clears the surroundings of edges; made on first use
 	gpu::DescriptorSets clear_sets_;
 	gpu::Buffer segments_;
 	VkDescriptorSet set_ = VK_NULL_HANDLE;
 	VkDescriptorSet clear_set_ = VK_NULL_HANDLE;
-	Vec3 center_{0.0}; // that the segments are relative to
+	Vec3 center_{0.0}; // origin of the segments
 	std::uint32_t count_ = 0;
 	std::vector<shared::LineSegment> kept_; // those on the device
 	std::optional<Drawn> drawn_;

@@ -18,7 +18,7 @@ namespace vp::render
 // so edges of any direction get as many shades as there are samples.
 std::vector<glm::dvec2> samplePattern(int samples);
 
-// Of lines, pixels: about 1.5 at a height of 720, and lines of large pictures keep their share.
+// Returns the width of lines in pixels: about 1.5 at a height of 720, and in proportion for larger pictures.
 float lineWidth(const Look& look);
 
 // How far from a pixel its color depends on others: contour lines look at neighbors (render_layer_colors.glsl).

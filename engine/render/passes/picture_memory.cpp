@@ -28,8 +28,8 @@ constexpr double kMiB = 1024.0 * 1024.0;
 // Bytes of a picture.
 struct Needs
 {
-	std::uint64_t layers = 0; // of values, a row of pixels
-	std::uint64_t others = 0; // sums, masks and depths, a row
+	std::uint64_t layers = 0; // layers of values, bytes a row of pixels
+	std::uint64_t others = 0; // sums, masks and depths, bytes a row of pixels
 	std::uint64_t picture = 0;
 	std::uint64_t polygons = 0;
 };

@@ -13,7 +13,7 @@ struct PicturePart
 {
 	VkExtent2D picture{};
 	std::uint32_t first_row = 0;
-	VkExtent2D extent{}; // of the part, as wide as the picture
+	VkExtent2D extent{}; // size of the part, as wide as the picture
 
 	static PicturePart whole(VkExtent2D picture) { return {picture, 0, picture}; }
 	bool isWhole() const { return extent.height == picture.height; }

@@ -43,7 +43,7 @@ public:
 	void recordKept(VkCommandBuffer commands, const Scene& scene, const PicturePart& part) const;
 
 private:
-	// What is drawn at once: records of one page and one part (SheetRecords::parts).
+	// The records that are drawn at once. They belong to one page and one part (SheetRecords::parts).
 	struct Run
 	{
 		std::size_t page;
@@ -76,7 +76,7 @@ private:
 	gpu::DescriptorSets sets_;
 	gpu::Buffer list_;  // numbers of records, a stretch a run; then those near edges
 	gpu::Buffer lists_; // shared::RasterList, two a run; then those of the polygons near edges
-	// Of the scene prepared last.
+	// The scene prepared last.
 	std::vector<Run> runs_;
 	std::vector<std::size_t> first_runs_; // per sheet, and the end
 	std::vector<Stages> sheet_pipelines_; // per sheet; null where it is not drawn here

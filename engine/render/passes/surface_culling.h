@@ -12,16 +12,17 @@
 namespace vp::render
 {
 
-// Of opaque surfaces, the triangles that later samples of a picture may show: those that touch a pixel at an edge and
-// are not hidden there (render_surface_cull.comp). A software device takes half a microsecond for each triangle that it
-// draws, seen or not.
+// Finds the triangles of opaque surfaces that later samples of a picture may show: those that touch a pixel at an edge
+// and are not hidden there (render_surface_cull.comp). A software device takes half a microsecond for each triangle
+// that it draws, seen or not.
 class SurfaceCulling
 {
 public:
 	explicit SurfaceCulling(gpu::Device& device) : device_(&device) {}
 
-	// Before recording, while no submission draws. surfaces: the numbers of the opaque ones. mask: null for a picture
-	// of one sample. Where culling does not pay, on hardware and for few triangles, isUsed() is false afterwards.
+	// Call it before recording, while no submission draws. surfaces: indices of the opaque surfaces. mask: null for a
+	// picture with one sample. If culling does not pay, on hardware and for few triangles, isUsed() is false
+	// afterwards.
 	Status prepare(const Scene& scene, std::span<const std::size_t> surfaces, const EdgeMask* mask,
 	               const OpaqueTarget& opaque);
 	bool isUsed() const { return !runs_.empty(); }

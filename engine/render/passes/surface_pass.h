@@ -36,7 +36,7 @@ public:
 	void recordLists(VkCommandBuffer commands, const Scene& scene, const PicturePart& part, const FragmentLists& lists,
 	                 const glm::dvec2& jitter, std::size_t sample, std::uint32_t strip) const;
 
-	// Of the scene prepared last: whether it has opaque surfaces, and what they are drawn into.
+	// Return whether the scene prepared last has opaque surfaces, and the target that they are drawn into.
 	bool hasOpaque() const { return has_opaque_; }
 	const OpaqueTarget& opaque() const { return opaque_; }
 
@@ -57,7 +57,7 @@ private:
 
 	gpu::Device* device_;
 	std::map<Style, gpu::Pipeline> pipelines_;
-	std::vector<Style> styles_; // of the surfaces prepared last
+	std::vector<Style> styles_; // styles of the surfaces prepared last
 	bool has_opaque_ = false;
 	OpaqueTarget opaque_;
 	SurfaceCulling culling_;

@@ -19,17 +19,17 @@ struct SurfacePolygons
 		gpu::Buffer across;
 		gpu::TexelView triangle_texels;
 		gpu::TexelView vertex_texels;
-		gpu::TexelView across_texels; // with values of polygons
-		std::uint32_t count = 0;      // of triangles
+		gpu::TexelView across_texels; // only if values belong to polygons
+		std::uint32_t count = 0;      // number of triangles
 	};
 
-	Vec3 origin{0.0}; // what vertices are kept from, in single precision
+	Vec3 origin{0.0}; // origin of the vertices, which are kept in single precision
 	std::vector<Part> parts;
-	bool polygon_values = false; // values are of polygons, not at vertices
+	bool polygon_values = false; // values belong to polygons, not to vertices
 };
 
-// Of a mesh in world coordinates; positions and polygons of it are used, nothing else. Fails where the device has no
-// room. The device outlives it. elsewhere: null where no other process draws a part.
+// Returns the polygons of a mesh in world coordinates. Only the mesh's positions and polygons are used. Fails if the
+// device has no room. The device must outlive the result. elsewhere: null if no other process draws a part.
 Result<std::shared_ptr<const SurfacePolygons>> surfacePolygons(gpu::Device& device, const mesh::SheetMesh& mesh,
                                                                const SurfaceValues& values = {},
                                                                const SurfaceElsewhere* elsewhere = nullptr);

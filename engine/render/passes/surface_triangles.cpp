@@ -191,11 +191,11 @@ private:
 	Vec3 origin_;
 	std::size_t most_texels_;
 	std::vector<Vec3f> normals_;
-	std::vector<double> across_;      // at each entry of polygon_vertices
-	std::vector<std::uint32_t> here_; // of a vertex of the mesh its number in the last part
+	std::vector<double> across_;      // value at each entry of polygon_vertices
+	std::vector<std::uint32_t> here_; // per vertex of the mesh: its number in the last part
 	std::vector<std::uint32_t> named_;
 	std::vector<SurfacePart> parts_;
-	std::vector<Vec3> corners_; // of the polygon at hand
+	std::vector<Vec3> corners_; // corners of the current polygon
 	std::vector<glm::dvec2> places_;
 	std::vector<std::uint8_t> bridges_;
 	std::vector<std::uint32_t> whole_;

@@ -12,14 +12,14 @@
 namespace vp::render
 {
 
-// Of one array, at the vertices or of the polygons; NaN where there is none. Empty: no values.
+// The values of one array, at the vertices or of the polygons; NaN if there is no value. Empty: no values.
 struct SurfaceValues
 {
 	std::span<const double> at_vertices{};
 	std::span<const double> of_polygons{};
 };
 
-// What another process draws of the same surface.
+// The part of the same surface that another process draws.
 struct SurfaceElsewhere
 {
 	Vec3 origin{0.0};         // the same for all
@@ -32,13 +32,13 @@ struct SurfacePart
 {
 	std::vector<shared::SurfaceTriangle> triangles;
 	std::vector<glm::vec4> vertices;
-	std::vector<glm::vec4> across{}; // of each triangle, where values are of polygons: those across its edges, 0
+	std::vector<glm::vec4> across{}; // per triangle, if values belong to polygons: values across its edges, 0
 };
 
-// A mesh's polygons as triangles, in parts of up to `most_texels` texels each of triangles and vertices (at least those
-// of one polygon). A concave polygon is parted into triangles that cover it and nothing else, a bent one as it looks
-// along its mean normal; diagonals are marked as no edges. A polygon with NaN at one of its vertices has no value. The
-// last `polygons_elsewhere` are left out (SurfaceElsewhere).
+// Returns a mesh's polygons as triangles, in parts. Each part has up to `most_texels` texels of triangles and of
+// vertices, and at least one polygon. A concave polygon is split into triangles that cover it and nothing else; a bent
+// one is split as it looks along its mean normal. Diagonals are marked as no edges. A polygon with NaN at one of its
+// vertices has no value. The last `polygons_elsewhere` polygons are left out (SurfaceElsewhere).
 std::vector<SurfacePart> surfaceTriangles(const mesh::SheetMesh& mesh, const SurfaceValues& values, const Vec3& origin,
                                           std::size_t most_texels, std::size_t polygons_elsewhere = 0);
 

@@ -46,7 +46,7 @@ public:
 	VkExtent2D extent() const { return part_.extent; }
 	VkImageView layer(std::size_t i) const { return layer_views_[i]; } // to draw into
 	VkImageView layers() const { return layers_view_; }                // all, as an array
-	// Of the finished picture, a source of copies: into an image of its size, or into `pixels`.
+	// Copies the finished picture into an image of its size, or into `pixels`. The picture must be a source of copies.
 	void recordCopy(VkCommandBuffer commands, const gpu::Image* into) const;
 	// The picture's RGBA bytes as in a file, whose colors are not multiplied by alpha. After `pixels` was written and
 	// waited for.

@@ -32,7 +32,7 @@ struct Camera
 	Vec3 position{0.0, 0.0, 1.0};
 	Vec3 focal_point{0.0};
 	Vec3 up{0.0, 1.0, 0.0};
-	double vertical_field = 25.0; // of view, degrees
+	double vertical_field = 25.0; // field of view, degrees
 	double near = 1e-3;
 
 	Vec3 forward() const;
@@ -64,7 +64,7 @@ struct CameraChoice
 	Kind kind = Kind::automatic;
 	Vec3 direction{0.0};
 	Vec3 up{0.0};
-	Camera camera;             // of one that is fitted, the field of view
+	Camera camera;             // a fitted camera uses only its field of view
 	std::string text = "auto"; // as parseCamera() takes it
 
 	bool followsSheet() const { return kind == Kind::sheet; }

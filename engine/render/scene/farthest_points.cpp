@@ -18,12 +18,12 @@ constexpr int kBins = 32; // along each side of a cube about the middle
 
 struct Farthest
 {
-	double square = -1.0; // of its distance
+	double square = -1.0; // square of its distance
 	Vec3 point;
 
 	void include(double distance, const Vec3& p)
 	{
-		// Of points that are equally far any will do, but always the same one.
+		// If points are equally far away, any one will do, but it must always be the same one.
 		if (std::tie(square, point.x, point.y, point.z) < std::tie(distance, p.x, p.y, p.z))
 			*this = {distance, p};
 	}

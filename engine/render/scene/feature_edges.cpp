@@ -16,11 +16,11 @@ namespace
 struct FaceEdge
 {
 	std::uint64_t points; // lower id in the high half
-	Vec3f normal;         // of the face, outwards, unit
-	bool is_inside;       // the face is none of the boundary
+	Vec3f normal;         // outward unit normal of the face
+	bool is_inside;       // the face is not on the boundary
 };
 
-// is_inside: per face; or empty where all are of the boundary.
+// is_inside: per face; or empty if all faces are on the boundary.
 template <class G>
 std::vector<FaceEdge> boundaryEdges(const G& grid, const grid::BoundaryIndex& boundary,
                                     const std::vector<bool>& is_inside)

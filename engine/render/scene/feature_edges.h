@@ -16,11 +16,11 @@ constexpr double kFeatureAngle = 30.0; // degrees
 struct OpenEdge
 {
 	Segment segment;
-	std::vector<Vec3f> normals; // of the faces that are known
+	std::vector<Vec3f> normals; // normals of the known faces
 };
 
 // Returns true if an edge of a boundary is drawn, by the normals of the faces around it: it is sharp, or does not
-// belong to exactly two of them. Without faces it is none of the boundary.
+// belong to exactly two of them. Without faces the edge is not on the boundary.
 bool isFeature(std::span<const Vec3f> normals);
 
 // Appends the edges of the block's boundary that are features. Faces are matched by sorting their edges, which takes

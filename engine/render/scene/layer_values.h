@@ -14,21 +14,21 @@ struct SurfacePixel
 	std::uint32_t pixel; // counted from the top left
 	float depth;         // near / w
 	std::uint32_t color;
-	std::uint32_t order; // of an opaque surface its number
+	std::uint32_t order; // number of the surface if it is opaque
 
 	bool operator==(const SurfacePixel&) const = default;
 };
 
-/// What surfaces of any form show in one sample. Pixels ascend.
+/// The pixels that surfaces of any form show in one sample, in ascending order.
 struct SurfaceFragments
 {
-	std::vector<SurfacePixel> nearest; // of opaque surfaces, one at a pixel
-	std::vector<SurfacePixel> listed;  // of all others, in whatever order at a pixel
+	std::vector<SurfacePixel> nearest; // opaque surfaces, one entry at a pixel
+	std::vector<SurfacePixel> listed;  // all other surfaces, in any order at a pixel
 };
 
-/// What the sheets of a picture show at each pixel in one sample, before they have colors. The layers follow each
-/// other, each with its rows from the top. A value is followed by how much of a mesh line is there, if there are two
-/// channels.
+/// The values that the sheets of a picture show at each pixel in one sample, before they have colors. The layers follow
+/// each other, each with its rows from the top. If there are two channels, a value is followed by the share of the
+/// pixel that a mesh line covers.
 struct LayerValues
 {
 	std::uint32_t width = 0;

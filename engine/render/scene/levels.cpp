@@ -73,7 +73,7 @@ void offerMultiples(double lo, double hi, int about, Choice& choice)
 			choice.offer(multiples(lo, hi, m, e));
 }
 
-// Of every `stride`-th decade, the digits times its power of ten.
+// Returns the digits times the power of ten, for every `stride`-th decade.
 std::vector<double> ofDecades(double lo, double hi, int stride, std::initializer_list<int> digits)
 {
 	std::vector<double> values;

@@ -13,7 +13,7 @@
 namespace vp::render
 {
 
-constexpr std::uint32_t kMaxPictureSize = 16384; // of a side, pixels; a device may have a lower limit
+constexpr std::uint32_t kMaxPictureSize = 16384; // longest side, pixels; a device may have a lower limit
 constexpr int kMaxSamples = 256;
 
 // The background of the scene: a gradient from top to bottom, a plain color (both colors are equal), or nothing (alpha
@@ -47,7 +47,7 @@ struct Look
 	int samples = 8; // per pixel
 	ColorMap colors = makeColorMap("viridis").value();
 	std::optional<std::pair<double, double>>
-	    range;                // of the colors; values beyond it get their own colors; nothing: the range of the data
+	    range; // range of the colors; values beyond it get their own colors; empty: the range of the data
 	bool logarithmic = false; // colors follow the logarithm of the values
 	int lines = 0;            // about this number of contour lines, at round values
 	int bands = 0;            // about this number of bounds between bands of one color, at round values

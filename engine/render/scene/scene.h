@@ -27,7 +27,7 @@ struct SurfacePolygons;
 struct ValueScale
 {
 	std::string title; // above the legend: name and component
-	double lo = 0.0;   // of the data
+	double lo = 0.0;   // range of the data
 	double hi = 1.0;
 	bool has_nan = false;  // the legend gets a swatch for NaN
 	bool per_cell = false; // constant in each polygon; contour lines run between polygons
@@ -62,7 +62,7 @@ struct SheetDrawing
 	// Lines that get labels, the rim of the polygons, and where both are visible, in the records' uv.
 	std::vector<LevelLine> contours{};
 	std::vector<measure::PlaneLine> rim_lines{};
-	std::optional<mesh::UvBounds> bounds{}; // of all its polygons, if others draw a part of them
+	std::optional<mesh::UvBounds> bounds{}; // bounds of all its polygons, if others draw a part of them
 
 	Vec3 inWorld(const glm::dvec2& uv) const
 	{
@@ -87,7 +87,7 @@ struct Surface
 	bool lit = true;                                 // smooth shading, the same on both sides
 	bool thick = false;                              // like glass: more opaque if it is seen from the side
 	bool mesh = false;                               // the polygons' edges
-	std::optional<ValueScale> values{};              // of the array whose values `polygons` has
+	std::optional<ValueScale> values{};              // scale of the array whose values `polygons` has
 	std::optional<ColorMap> colors{};
 	std::optional<std::pair<double, double>> range{};
 	std::optional<int> lines{}; // about so many contour lines
@@ -100,7 +100,7 @@ struct Scene
 	std::vector<Surface> surfaces{};  // up to shared::kMaxSurfaces
 	std::optional<ValueScale> values; // none: the sheets have one plain color
 	std::span<const Segment> outline;
-	std::optional<Box> bounds{}; // of the blocks, for numbered axes
+	std::optional<Box> bounds{}; // bounds of the blocks, for numbered axes
 	Camera camera;               // fitted to pictureFrame() of the same scene
 	bool fitted = true; // the camera keeps the scene away from text; if false, text over the scene gets a ground
 	Look look;

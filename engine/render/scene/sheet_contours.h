@@ -18,8 +18,8 @@ struct SheetValues
 	std::vector<double> of_polygons;
 };
 
-// What can be shown between the corners of a polygon. Nothing can be interpolated toward an infinite value, unless all
-// corners have it.
+// The content that can be shown between the corners of a polygon. Nothing can be interpolated toward an infinite value,
+// unless all corners have it.
 enum class Interpolated
 {
 	values,

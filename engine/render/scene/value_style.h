@@ -15,7 +15,7 @@ constexpr Color kPlainSheet{142, 168, 195}; // without an array
 // pass use it.
 struct ValueStyle
 {
-	const ColorMap* colors = nullptr; // of the scene or the sheet
+	const ColorMap* colors = nullptr; // colors of the scene or the sheet
 	double lo = 0.0;                  // values at the ends of the color map
 	double hi = 1.0;
 	bool logarithmic = false;
@@ -29,13 +29,13 @@ struct ValueStyle
 	double scaled(double value) const { return logarithmic ? std::log10(value) : value; }
 	// Returns 0 at lo and 1 at hi. A constant gets the middle of the map.
 	double part(double value) const { return hi > lo ? (scaled(value) - scaled(lo)) / (scaled(hi) - scaled(lo)) : 0.5; }
-	Color bandColor(std::size_t band) const; // of the band below bands[band], or above the last: that of its middle
+	Color bandColor(std::size_t band) const; // color in the middle of the band below bands[band], or above the last
 };
 
 ValueStyle valueStyle(const Look& look, const ValueScale& values);
-ValueStyle valueStyle(const Scene& scene, const SheetDrawing& sheet); // of a scene, or a sheet, with values
+ValueStyle valueStyle(const Scene& scene, const SheetDrawing& sheet); // for a scene or a sheet with values
 
-ValueStyle valueStyle(const Scene& scene, const Surface& surface); // of a surface with values
+ValueStyle valueStyle(const Scene& scene, const Surface& surface); // for a surface with values
 
 // The content of a legend.
 struct LegendContent
