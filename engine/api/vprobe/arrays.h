@@ -12,7 +12,7 @@
 namespace vprobe
 {
 
-/// Values of a caller's array, or of one that the library gives.
+/// The values of an array, either the caller's or the library's.
 enum class NumberType : std::uint8_t
 {
 	int8,
@@ -73,7 +73,7 @@ struct Numbers
 	}
 };
 
-/// Where the values of an array are.
+/// Says whether an array has its values at points or in cells.
 enum class Association : std::uint8_t
 {
 	point,

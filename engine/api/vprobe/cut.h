@@ -15,7 +15,8 @@
 namespace vprobe
 {
 
-/// Values of one array at the points or on the polygons of a mesh. The bytes live as long as the Cut or a copy of it.
+/// The values of one array at the points or on the polygons of a mesh. The bytes stay valid as long as the Cut or a
+/// copy of it lives.
 struct VPROBE_API MeshArray : ArrayInfo
 {
 	const void* data = nullptr;
@@ -24,7 +25,7 @@ struct VPROBE_API MeshArray : ArrayInfo
 	double value(std::size_t tuple, int component = 0) const;
 };
 
-/// Polygons with shared points. Spans live as long as the Cut or a copy of it. A value: cheap to copy.
+/// Polygons with shared points. Spans stay valid as long as the Cut or a copy of it lives. A Mesh is cheap to copy.
 class VPROBE_API Mesh
 {
 public:
@@ -35,10 +36,10 @@ public:
 	std::span<const std::int64_t> connectivity() const; // ids of points; counter-clockwise seen from the normal's side
 	std::span<const std::int64_t> cells() const;        // per polygon: the cell, as the input numbers it
 	std::span<const std::int32_t> blocks() const;       // per polygon: the block
-	/// Every array of the data set, interpolated to the points or taken from the cells. Built when it is asked for
-	/// first; thread safe.
+	/// Returns every array of the data set, interpolated to the points or taken from the cells. The first call builds
+	/// it. It is thread safe.
 	std::span<const MeshArray> arrays() const;
-	/// Null where there is none of that name.
+	/// Returns null if there is no array of that name.
 	const MeshArray* array(std::string_view name) const;
 
 	struct State;
@@ -56,13 +57,13 @@ struct Figures
 	double area = 0.0;
 	double boundary_area = 0.0;          // area of boundary faces in the plane; the other figures leave them out
 	double nan_area = 0.0;               // area in which the value is not finite
-	std::optional<double> mean;          // area-weighted
+	std::optional<double> mean;          // weighted by area
 	std::optional<double> boundary_mean; // the same over the boundary faces in the plane
 	std::optional<double> min;
 	std::optional<double> max;
 	std::optional<double> flux;          // flux of vectors through the sheet
 	std::optional<double> boundary_flux; // the same through the boundary faces in the plane
-	std::size_t components = 0;          // pieces that do not touch
+	std::size_t components = 0;          // number of pieces that do not touch
 	std::size_t cut_cells = 0;
 };
 
@@ -74,14 +75,15 @@ struct Traces
 	std::vector<double> times;         // per point, from the launch; negative before it
 };
 
-/// The cut of a probe through a data set. Copies share it; it stays valid whatever becomes of its Dataset. Thread safe.
+/// The cut of a probe through a data set. Copies share it. It stays valid even after its Dataset is gone. It is thread
+/// safe.
 class VPROBE_API Cut
 {
 public:
 	Cut(); // no sheets
 
 	std::size_t sheetCount() const;
-	/// sheet < sheetCount(). The polygons of a sheet; with `crinkle` the faces of the cells that are cut.
+	/// Returns the polygons of a sheet, or the faces of the cut cells if `crinkle` is set. sheet < sheetCount().
 	Mesh mesh(std::size_t sheet) const;
 	/// Returns the sheet's figures. The first call measures them.
 	Figures figures(std::size_t sheet) const;
@@ -96,7 +98,8 @@ public:
 	double contourValue(std::size_t contour) const;
 	Mesh contour(std::size_t contour) const;
 
-	/// As .vtp, .vtm, .pvtp, .ply or .csv, by the name's ending, with every array. Whole or not at all.
+	/// Writes the cut with every array as .vtp, .vtm, .pvtp, .ply or .csv, by the name's ending. If it fails, no file
+	/// is left.
 	Status save(const std::string& file) const;
 
 	struct State;

@@ -35,8 +35,8 @@ struct Rectilinear
 	Numbers x, y, z;
 };
 
-/// Points anywhere in lattice order: float32 or float64, x y z of the first point first, i runs fastest. Where the
-/// library turns the axes, which some curvilinear grids gain from, points are copied.
+/// Points anywhere in lattice order: float32 or float64, x y z of the first point first, i runs fastest. The library
+/// turns the axes of some curvilinear grids to make cuts faster. Then it copies the points.
 struct Structured
 {
 	std::array<std::size_t, 3> points; // along i, j and k, 2 or more each
@@ -52,14 +52,14 @@ struct Unstructured
 	Numbers offsets;      // int32 or int64, cells + 1 into the connectivity; int32 is copied
 	Numbers connectivity; // int32 or int64 ids of points
 	Numbers face_offsets; // int64, cells + 1 into the stream of faces; empty if there are no polyhedra
-	Numbers face_stream;  // int64: per polyhedron faces, then per face its size and its points
+	Numbers face_stream;  // int64: per polyhedron its number of faces, then per face its size and points
 	/// Curved cells need one: the tolerance, between 0 and 1, to which cuts refine the cells that they meet. Nodes are
 	/// in VTK's order since 9.1. Lagrange and Bezier cells have the same degree along all axes unless there is a cell
 	/// array "HigherOrderDegrees" of three components; a point array "RationalWeights" makes Bezier cells rational.
 	/// Their nodes are shared and never copied, and cells of linear types may stand among them, polyhedra apart.
 	double tolerance = 0.0;
-	/// Cells of one linear type: whether their ids name points is seen by the first cut, in passing, which then is an
-	/// error.
+	/// If all cells have one linear type, only the first cut checks that their ids name points. A wrong id is then an
+	/// error of that cut.
 	bool checks_ids_later = false;
 };
 
@@ -85,42 +85,42 @@ struct HeldBlock
 /// Bytes that a data set holds.
 struct MemoryUse
 {
-	std::size_t geometry = 0; // coordinates and cells; shared with the caller where they were wrapped and not copied
-	std::size_t arrays = 0;   // always shared with the caller where they were wrapped
-	std::size_t built = 0;    // what was built to find cells: neighbors, boundary, seams, trees
+	std::size_t geometry = 0; // coordinates and cells; shared with the caller if they were wrapped and not copied
+	std::size_t arrays = 0;   // arrays; always shared with the caller if they were wrapped
+	std::size_t built = 0;    // structures that find cells: neighbors, boundary, seams, trees
 	std::size_t cutter = 0;   // marks and rows that cuts share
-	std::size_t device = 0;   // in device memory
-	bool copied = false;      // points and cells of unstructured grids are the library's own by now
+	std::size_t device = 0;   // bytes in device memory
+	bool copied = false;      // true if the library has copied points and cells of unstructured grids
 };
 
-/// Where cells are classified.
+/// Says where cells are classified.
 enum class Classify : std::uint8_t
 {
-	automatic, // where it is faster, which is the CPU unless there is a hardware device
+	automatic, // on the CPU, unless there is a hardware device
 	gpu,
 	cpu
 };
 
-/// How files are read.
+/// Says how files are read.
 struct OpenOptions
 {
 	std::string time = "last"; // last, first, a time (the nearest there is), or #INDEX
-	std::string solution{};    // PLOT3D solution file, where its name does not follow from the grid's
+	std::string solution{};    // PLOT3D solution file, if its name does not follow from the grid's name
 	// Curved cells: how often their linear parts are halved, 0 to 6; or, between 0 and 1, a tolerance to which cuts
 	// refine the cells that they meet (docs/FORMATS.md)
 	double refine = 0.0;
 	double displace = 0.0; // points of Exodus files move by their displacements, times this
 	std::string format{};  // a name that vprobe info --formats lists; empty: the file tells
 	Classify classify = Classify::automatic;
-	std::string device{};   // for classifying and drawing: a part of its name, or its number; empty: the best
-	std::stop_token stop{}; // asked to stop, reading ends with ErrorKind::cancelled
+	std::string device{};   // for classifying and drawing: a part of its name, or its number; empty: the best one
+	std::stop_token stop{}; // on a stop request, reading ends with ErrorKind::cancelled
 };
 
 /// Values of arrays at points.
 struct Samples
 {
-	std::vector<std::int64_t> cells;  // per point: the cell that holds it, as the input numbers it; -1 outside the grid
-	std::vector<std::int32_t> blocks; // and its block; -1 outside
+	std::vector<std::int64_t> cells;  // per point: its cell, as the input numbers it; -1 outside the grid
+	std::vector<std::int32_t> blocks; // per point: the block of that cell; -1 outside
 	struct Column
 	{
 		ArrayInfo array;
@@ -129,7 +129,7 @@ struct Samples
 	std::vector<Column> columns;
 };
 
-/// The way of one sheet in one block.
+/// How one sheet is cut in one block.
 struct PlanRow
 {
 	std::size_t sheet = 0;
@@ -146,13 +146,13 @@ struct SweepFrame
 	int count = 0;
 	std::optional<double> time{}; // time of the values, in a sweep through the times
 	Cut cut;
-	Image image; // empty where none is drawn
+	Image image; // empty if no picture is drawn
 };
 
 struct DatasetState; // internal to the library
 
-/// A data set: grids with arrays, and what makes cuts of them fast. Copies share it. Thread safe: calls on one data set
-/// wait for each other. A cut keeps what it needs of its data set alive.
+/// A data set: grids with arrays, and the structures that make cuts fast. Copies share it. It is thread safe: calls on
+/// one data set wait for each other. A cut keeps the parts of its data set alive that it needs.
 class VPROBE_API Dataset
 {
 public:
@@ -161,8 +161,8 @@ public:
 	static Result<Dataset> open(const std::vector<std::string>& files, const OpenOptions& options = {});
 	static Result<Dataset> open(const std::string& file, const OpenOptions& options = {});
 
-	/// Shares the caller's arrays. Field arrays are never copied, nor are points of images, rectilinear and curvilinear
-	/// grids but for what is said there. An input error says what does not fit: a size, an id, a type.
+	/// Shares the caller's arrays. Field arrays are never copied. Points of rectilinear and curvilinear grids are not
+	/// copied either, except as CurvilinearGrid says. An input error says what does not fit: a size, an id, a type.
 	static Result<Dataset> wrap(std::vector<Block> blocks, Classify classify = Classify::automatic,
 	                            const std::string& device = {}, std::stop_token stop = {});
 
@@ -171,29 +171,31 @@ public:
 	std::size_t pointCount() const;
 	std::size_t blockCount() const;
 	std::pair<Vector3, Vector3> bounds() const; // low and high corner
-	std::vector<double> times() const;          // that the files offer, ascending
+	std::vector<double> times() const;          // times in the files, ascending
 	std::vector<ArrayInfo> arrays() const;
 	/// index < blockCount().
 	HeldBlock block(std::size_t index) const;
 	MemoryUse memory() const;
 
-	/// The caller has changed values of wrapped arrays in place. Cuts that were made before may show either.
+	/// Call it after you changed values of wrapped arrays in place. Earlier cuts may show old or new values.
 	void modified();
-	/// Other arrays for a wrapped data set, a list for each block. The grid and what was built to find its cells stay.
-	/// Cuts that were made before keep the arrays that they had.
+	/// Replaces the arrays of a wrapped data set, with a list for each block. The grid stays, and so do the structures
+	/// that find its cells. Earlier cuts keep their arrays.
 	Status setFields(std::vector<std::vector<Field>> fields);
 
-	/// Here and below: asked to stop, a call ends soon, with ErrorKind::cancelled, and the data set serves on.
+	/// For all calls below: on a stop request a call ends soon with ErrorKind::cancelled. The data set stays usable.
 	Result<Cut> cut(const View& view, std::stop_token stop = {}) const;
-	/// How cut() would go, and why.
+	/// Returns how cut() would work, and why.
 	Result<std::vector<PlanRow>> plan(const View& view) const;
-	/// The probe as it stands in this data set, as the JSON of a probe file (docs/PROBES.md).
+	/// Returns the probe, placed in this data set, as the JSON of a probe file (docs/PROBES.md).
 	Result<std::string> probeText(const View& view) const;
-	/// Interpolated as docs/SAMPLING.md says. arrays: "[point:|cell:]NAME"; none: all.
+	/// Interpolates arrays at points, as docs/SAMPLING.md says. arrays: "[point:|cell:]NAME"; if there are none, takes
+	/// all.
 	Result<Samples> sample(std::span<const Vector3> points, const std::vector<std::string>& arrays = {},
 	                       std::stop_token stop = {}) const;
 
-	/// Draws a cut of this data set. Where the View would cut otherwise, it cuts anew. Opens a Vulkan device at first.
+	/// Draws a cut of this data set. If the View now asks for a different cut, it cuts again. The first call opens a
+	/// Vulkan device.
 	Result<Image> render(const Cut& cut, const View& view, std::stop_token stop = {}) const;
 	Result<Image> render(const View& view, std::stop_token stop = {}) const;
 
@@ -202,7 +204,8 @@ public:
 	/// files.
 	Status sweep(const View& view, const std::function<bool(const SweepFrame&)>& on_frame, bool draws = false,
 	             std::stop_token stop = {}) const;
-	/// One frame of that sweep, from 0; the frame tells how many there are. A usage error past the last.
+	/// Makes one frame of that sweep. The first frame is 0; SweepFrame::count is the number of frames. A higher index
+	/// is a usage error.
 	Result<SweepFrame> frame(const View& view, int index, bool draws = false, std::stop_token stop = {}) const;
 
 private:

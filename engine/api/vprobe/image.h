@@ -16,9 +16,9 @@ struct VPROBE_API Image
 	std::uint32_t height = 0;
 	std::vector<std::uint8_t> rgba{}; // 4 * width * height
 
-	/// As PNG. Whole or not at all.
+	/// Writes the picture as PNG. If it fails, no file is left.
 	Status save(const std::string& file) const;
-	/// The bytes of such a file.
+	/// Returns the bytes of such a file.
 	Result<std::string> png() const;
 };
 

@@ -15,10 +15,10 @@
 namespace vprobe
 {
 
-/// Why something failed.
+/// The kinds of errors.
 enum class ErrorKind : std::uint8_t
 {
-	usage,         // a setting or an argument that cannot be
+	usage,         // an impossible setting or argument
 	input,         // input that cannot be used
 	device,        // no usable Vulkan device, or one that was lost; the next call may open another
 	output,        // output that cannot be written
@@ -36,7 +36,7 @@ struct Error
 	std::string message;
 };
 
-/// A value, or the reason there is none. No function of the library throws.
+/// A value, or the reason why there is none. No function of the library throws.
 template <class T>
 class [[nodiscard]] Result
 {
@@ -45,14 +45,14 @@ public:
 	Result(Error error) : state_(std::in_place_index<1>, std::move(error)) {}
 
 	explicit operator bool() const { return state_.index() == 0; }
-	/// There is one: the result is true.
+	/// A result with a value. It is true.
 	T& value() { return std::get<0>(state_); }
 	const T& value() const { return std::get<0>(state_); }
 	T& operator*() { return value(); }
 	const T& operator*() const { return value(); }
 	T* operator->() { return &value(); }
 	const T* operator->() const { return &value(); }
-	/// There is none: the result is false.
+	/// A result without a value. It is false.
 	const Error& error() const { return std::get<1>(state_); }
 
 private:
@@ -64,9 +64,9 @@ struct Nothing
 };
 using Status = Result<Nothing>;
 
-/// While one lives, the library's warnings go to its function, one at a time, from any thread. The youngest one hears;
-/// without one they are dropped, since the library writes to nobody's screen. Listeners end in the reverse order of
-/// their beginning.
+/// While a listener lives, the library's warnings go to its function, one at a time, from any thread. Only the newest
+/// listener gets them. Without a listener they are dropped, since the library never writes to the screen. Listeners
+/// must be destroyed in the reverse order of their creation.
 class VPROBE_API MessageListener
 {
 public:
@@ -80,7 +80,7 @@ private:
 	std::unique_ptr<State> state_;
 };
 
-/// The same for what the library is busy with, as "reading FILE"; an empty text when that ends.
+/// A listener for what the library is doing, such as "reading FILE". It gets an empty text when that ends.
 class VPROBE_API ProgressListener
 {
 public:

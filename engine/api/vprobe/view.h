@@ -14,7 +14,7 @@ namespace vprobe
 
 using Vector3 = std::array<double, 3>;
 
-/// The built-in probes: sheets that move as one. One's own comes with read().
+/// The built-in probes: sheets that move as one. Use read() for a probe of your own.
 enum class ProbeShape : std::uint8_t
 {
 	single,      // one sheet
@@ -23,12 +23,12 @@ enum class ProbeShape : std::uint8_t
 	stack        // parallel sheets
 };
 
-/// All that a user can set about a cut and its picture: where the probe stands, what it shows, how it looks, how it is
-/// swept. A value: copies are independent. What is not set has the default of the program's options.
+/// All settings of a cut and its picture: where the probe stands, what it shows, how it looks, how it is swept. A View
+/// is a value: copies are independent. Settings that are not set have the defaults of the program's options.
 ///
-/// The functions take values as they are; what cannot be is told by check(), and by every function that takes a View.
-/// Every setting has a key, by which docs/state.schema.json describes it; those without a function here are set by
-/// set(). Not thread safe; several threads may read one.
+/// The functions accept any value. check() reports impossible values, and so does every function that takes a View.
+/// Every setting has a key, which docs/state.schema.json describes. Use set() for settings without a function here. A
+/// View is not thread safe, but several threads may read one.
 class VPROBE_API View
 {
 public:
@@ -53,7 +53,7 @@ public:
 	// The values that it shows.
 	View& array(std::string_view name);            // "[point:|cell:]NAME"; default: the first
 	View& component(int component);                // from 0; -1 is the magnitude, the default
-	View& threshold(double lo, double hi);         // ends the search at cells outside
+	View& threshold(double lo, double hi);         // the search ends at cells with values outside
 	View& contour(std::span<const double> values); // surfaces that grow from the sheets
 
 	// How the picture looks.
@@ -62,15 +62,15 @@ public:
 	View& range(double lo, double hi); // values at the two ends of the color map
 	View& opacity(double share);       // 0 to 1
 
-	/// Any setting by its key, as a command line has its value: set("surface", "sphere:1.5"), set("camera", "30,20").
-	/// Several numbers stand with blanks between them. A usage error names the key and what it takes.
+	/// Sets any setting by its key, with a value as on a command line: set("surface", "sphere:1.5"), set("camera",
+	/// "30,20"). Several numbers are separated by blanks. A usage error names the key and the values that it takes.
 	Status set(std::string_view key, std::string_view value);
-	/// Takes the settings that a state has; the others stay. An input error names the place in the document.
+	/// Takes the settings in a state. The others stay. An input error names the place in the document.
 	Status read(std::string_view state);
-	/// A state file, which the program's --state takes too. What belongs to the machine is none of it.
+	/// Returns a state file, which the program's --state takes too. It leaves out settings of the machine.
 	std::string json() const;
 
-	/// A usage error where settings cannot be, or do not go together.
+	/// Returns a usage error if settings are impossible or do not go together.
 	Status check() const;
 
 	struct State;

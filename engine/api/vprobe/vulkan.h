@@ -14,19 +14,19 @@
 namespace vprobe
 {
 
-/// With what features a device has to be created for the library to work on it: Vulkan 1.3 with synchronization2,
-/// dynamicRendering, maintenance4, timelineSemaphore, scalarBlockLayout and hostQueryReset, and some that are used
-/// where there are such. More features and any extension may be enabled too.
+/// The features with which a device must be created, so that the library can work on it: Vulkan 1.3 with
+/// synchronization2, dynamicRendering, maintenance4, timelineSemaphore, scalarBlockLayout and hostQueryReset, and some
+/// more that are used if the device has them. More features and any extension may be enabled too.
 class VPROBE_API VulkanNeeds
 {
 public:
-	/// ErrorKind::device where the device lacks something; the message says what.
+	/// Returns ErrorKind::device if the device lacks something; the message says what.
 	static Result<VulkanNeeds> of(VkPhysicalDevice physical);
 
-	/// For VkDeviceCreateInfo::pNext, with pEnabledFeatures null: VkPhysicalDeviceFeatures2, with those of Vulkan 1.2
-	/// and 1.3 behind it. Valid as long as this object or a copy of it.
+	/// Returns the chain for VkDeviceCreateInfo::pNext, with pEnabledFeatures null: VkPhysicalDeviceFeatures2, then the
+	/// features of Vulkan 1.2 and 1.3. It stays valid as long as this object or a copy of it lives.
 	const VkPhysicalDeviceFeatures2* features() const;
-	/// A family of queues for graphics and compute.
+	/// Returns a queue family for graphics and compute.
 	std::uint32_t queueFamily() const { return queue_family_; }
 
 private:
@@ -36,8 +36,8 @@ private:
 	std::uint32_t queue_family_ = 0;
 };
 
-/// A device of the caller's, created with VulkanNeeds. All handles outlive every Dataset that has the device, and every
-/// Cut of theirs.
+/// The caller's device, created with VulkanNeeds. All handles must outlive every Dataset that uses the device, and
+/// every Cut of these.
 struct VulkanDevice
 {
 	VkInstance instance = VK_NULL_HANDLE;
@@ -45,14 +45,14 @@ struct VulkanDevice
 	VkDevice device = VK_NULL_HANDLE;
 	VkQueue queue = VK_NULL_HANDLE; // from a queue family for graphics and compute
 	std::uint32_t queue_family = 0;
-	/// Called before and after the library uses the queue, from the thread that called it or from one that works for
-	/// it. Empty: nobody else uses the queue while a call of the library runs.
+	/// The library calls these before and after it uses the queue, from the calling thread or from one of its own
+	/// threads. If they are empty, nobody else may use the queue while a call of the library runs.
 	std::function<void()> lock_queue{};
 	std::function<void()> unlock_queue{};
 };
 
-/// A 2-D image of the caller's: one layer, one level, one sample, made with VK_IMAGE_USAGE_TRANSFER_DST_BIT on the
-/// device that the data set has. It belongs to the device's queue family.
+/// The caller's 2-D image: one layer, one level, one sample, created with VK_IMAGE_USAGE_TRANSFER_DST_BIT on the data
+/// set's device. It belongs to the device's queue family.
 struct VulkanTarget
 {
 	VkImage image = VK_NULL_HANDLE;
@@ -63,14 +63,14 @@ struct VulkanTarget
 	VkImageLayout after = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
 };
 
-/// From now on the data set classifies and draws on this device, and opens none of its own. ErrorKind::device where the
-/// device does not do. Thread safe, as all calls on a data set.
+/// From now on the data set classifies and draws on this device, and opens none of its own. Returns ErrorKind::device
+/// if the device is not good enough. It is thread safe, as all calls on a data set are.
 VPROBE_API Status useDevice(const Dataset& data, const VulkanDevice& device);
 
 /// Draws a cut of the data set, made by the same View, over the whole image, which decides the picture's size. Colors
-/// are multiplied by alpha. Comes back when the image is ready: later submissions to the queue see it. Work that the
-/// caller submitted to the queue before may still use the image. A usage error where the data set has no device of the
-/// caller's, or where the image cannot be.
+/// are multiplied by alpha. Returns when the image is ready: later submissions to the queue see it. Work that the
+/// caller submitted to the queue before may still use the image. Returns a usage error if the data set does not use a
+/// device of the caller's, or if the image is not possible.
 VPROBE_API Status drawInto(const Dataset& data, const Cut& cut, const View& view, const VulkanTarget& target);
 
 } // namespace vprobe
