@@ -25,7 +25,7 @@ float scaled(float value, uint layer)
 	return value > 0.0 ? log2(value) * 0.30102999566398 : kNoScaled;
 }
 
-// How many of the ascending numbers are <= y.
+// Returns how many of the ascending numbers are <= y.
 uint countUpTo(float y, uint place, uint count)
 {
 	uint low = 0u;
@@ -49,8 +49,8 @@ float opacityOf(uint layer);
 // Lines this many pixels apart and farther have full strength; closer ones would cover everything.
 const float kFullStrengthFrom = 5.0;
 
-// How much of a contour line covers this pixel: the distance to the nearest level in values, over the values' slope, is that
-// in pixels, so lines are equally wide everywhere.
+// Returns how much of a contour line covers this pixel: the distance to the nearest level in values, divided by the
+// values' slope, is the distance in pixels. So lines are equally wide everywhere.
 float contourLine(float y, uint layer, ivec2 pixel)
 {
 	const uint place = params.sheets[layer].levels;

@@ -20,8 +20,8 @@ layout(location = 2) in vec2 place;
 layout(location = 3) flat in ivec2 edges;
 layout(location = 0) out vec2 pixel; // value, and how much of a mesh line is here; layers without mesh lines hold the first only
 
-// How much of a line along the polygon's edges covers this pixel. (u, v) is linear enough over a few pixels to go by its
-// derivatives; each polygon draws the half of a line that is on its side.
+// Returns how much of a line along the polygon's edges covers this pixel. Over a few pixels (u, v) is linear enough to
+// use its derivatives. Each polygon draws its own half of a line.
 float meshLine()
 {
 	const int record = edges.x;

@@ -1,11 +1,12 @@
 // Lines along polygons' edges, as they are from the pixel at the origin, in pixels.
 
-// Where polygons are this many pixels wide and more, lines between them have full strength. Narrower ones would be all line: there
-// it falls, down to kMinStrength where they are no wider than a pixel.
+// Lines have full strength if polygons are at least this many pixels wide. Narrower polygons would be all line, so the
+// strength falls, down to kMinStrength for polygons no wider than a pixel.
 const float kFullStrengthFromWidth = 6.0;
 const float kMinStrength = 0.1;
 
-// How much of a line covers the pixel whose nearest edge is so far away, of a polygon so wide: 4 area / perimeter.
+// Returns how much of a line covers a pixel, from the distance of its nearest edge and the polygon's width (4 area /
+// perimeter).
 float lineCoverage(float nearest, float width, float half_width)
 {
 	const float strength = clamp((width - 1.0) / (kFullStrengthFromWidth - 1.0), kMinStrength, 1.0);

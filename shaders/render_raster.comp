@@ -126,7 +126,7 @@ Extent placeCorners()
 	return extent;
 }
 
-// How far a corner is inside of a plane that clips.
+// Returns how far a corner is inside of a plane that clips.
 float distanceInside(vec3 at, uint plane)
 {
 	const float far = kFarOutside * at.z;
@@ -135,7 +135,8 @@ float distanceInside(vec3 at, uint plane)
 	return distances[plane];
 }
 
-// Where an edge is cut depends on the edge alone, and not on the way it is run along: so neighbors cut a shared edge alike.
+// Returns the point at which an edge is cut. It depends on the edge alone, and not on its direction, so neighbors cut a
+// shared edge at the same point.
 vec3 cutEdge(vec3 in_at, float in_side, vec3 out_at, float out_side)
 {
 	precise const vec3 at = in_at + (in_side / (in_side - out_side)) * (out_at - in_at);
@@ -177,7 +178,7 @@ Extent clipCorners()
 	return extent;
 }
 
-// Whether a * b > c * d, in 64 bits.
+// Returns true if a * b > c * d, in 64 bits.
 bool isGreater(int a, int b, int c, int d)
 {
 	int high_ab;
@@ -255,8 +256,9 @@ float wholeOfPolygon()
 	return wholeValue(least, largest);
 }
 
-// How many of `count` pixels from p to the right lie left of edge i; 0 where p's row does not cross it. A float tells the pixel that is
-// nearest to the crossing, and whole numbers on which side of it that lies. p: from the first corner.
+// Returns how many of `count` pixels from p to the right lie left of edge i; 0 if p's row does not cross it. A float
+// gives the pixel nearest to the crossing, and integers decide on which side of the edge it lies. p: from the first
+// corner.
 int pixelsLeftOf(uint i, ivec2 p, int count)
 {
 	const int down = p.y - tops[i].y;
@@ -471,7 +473,7 @@ bool findListed(out uint record, out Rows rows)
 	return true;
 }
 
-// Whether an edge is near, of the first or a later sample, which lie less than a pixel apart.
+// Returns true if an edge of the first or a later sample is near. Samples lie less than a pixel apart.
 bool isNearEdge(Extent extent)
 {
 	if (extent.least_w < push.near_w)

@@ -59,10 +59,10 @@ public:
 private:
 	static constexpr double kMaxWarp = 0.1; // share of the points' distance from the mean
 
-	// Whether all triangles about the mean of the points run the same way, or the face is far from flat.
+	// Returns true if all triangles about the mean of the points run the same way, or the face is far from flat.
 	bool isMeanEnough(std::span<const FacePoint> face);
 	Pairing byMean(std::span<const FacePoint> face);
-	// Where the trace of the surface in the face leads, either way: the integral of the height around the face.
+	// Returns where the trace of the surface in the face leads, either way: the integral of the height around the face.
 	Vec3 traceOf(std::span<const FacePoint> face);
 	static Vec3 lowest(std::span<const FacePoint> face);
 	void sort(std::span<Crossing> crossings, const Vec3& along, const Vec3& origin);

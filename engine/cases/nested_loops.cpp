@@ -166,7 +166,7 @@ private:
 		return (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
 	}
 
-	// Whether p is on the inner side of the two sides at a corner.
+	// Returns true if p is on the inner side of the two sides at a corner.
 	bool opensTo(std::size_t i, const dvec2& p) const
 	{
 		const dvec2& q = polygon_.corners[i].at;

@@ -99,9 +99,10 @@ struct SheetRecords
 	Status appendHostRecords(const mesh::MeshRecords& records);
 };
 
-// Whether polygons of a plane's cut within one block may lie on each other: where the grid is folded over.
+// Returns true if polygons of a plane's cut within one block may lie on each other: where the grid is folded over.
 bool mayFold(const grid::BlockSet& blocks);
-// Whether any may: also where boxes of blocks overlap (more than a few are not looked at).
+// Returns true if any polygons may lie on each other, also of blocks whose boxes overlap. With many blocks the boxes
+// are not compared, and the answer is true.
 bool mayOverlap(const grid::BlockSet& blocks);
 
 // All records from the CPU: the path of the CPU classifier.

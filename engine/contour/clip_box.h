@@ -26,8 +26,8 @@ public:
 		return findCuts(grid, surface, face, cuts) && seed::anyReaches(cuts, lo_, hi_);
 	}
 
-	// Whether the section of a cut cell may reach into the box. It may bend, so where no side of it does the box of its
-	// corners decides: more is let in than reaches in, nothing is lost.
+	// Returns true if the section of a cut cell may reach into the box. The section may bend. If none of its sides
+	// reaches in, the box of its corners decides. So a few more cells may pass, but none is lost.
 	template <class G, class Surface>
 	bool meetsCell(const G& grid, const Surface& surface, const grid::CellFaces& faces) const
 	{
@@ -45,7 +45,7 @@ public:
 		return holdsPartOf(section);
 	}
 
-	// Whether a cell lies within the box: all that is cut of it does then. Not asked of polyhedra.
+	// Returns true if a cell lies within the box; then its whole section does. It is not called for polyhedra.
 	template <class G>
 	bool holdsCell(const G& grid, CellId cell) const
 	{
@@ -57,7 +57,7 @@ public:
 		return true;
 	}
 
-	// Whether a box along the axes of the grid may reach into it.
+	// Returns true if a box along the axes of the grid may reach into it.
 	bool meets(const Box& box) const;
 
 	const probe::Frame& frame() const { return frame_; }

@@ -26,7 +26,7 @@ public:
 	public:
 		explicit Pen(CellMarks& marks) : words_(marks.words_.get()), groups_(marks.groups_.get()) {}
 
-		// Whether the cell has a mark. Between threads it is no more exact than mark().
+		// Returns true if the cell has a mark. Between threads it is no more exact than mark().
 		bool isMarked(CellId cell) const { return words_[cell / 64].load(std::memory_order_relaxed) >> cell % 64 & 1; }
 
 		// Marks a cell. Returns true if the cell had no mark. This is not exact between threads, because nothing is

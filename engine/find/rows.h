@@ -16,7 +16,7 @@ namespace vp::find
 SpanCut rowSpans(const grid::UniformGrid& grid, const surface::Plane& plane, const seed::SheetWindow* window);
 SpanCut rowSpans(const grid::RectilinearGrid& grid, const surface::Plane& plane, const seed::SheetWindow* window);
 
-// Whether the coordinates along each axis rise throughout, or fall.
+// Returns true if the coordinates along each axis always rise or always fall.
 bool hasStraightRows(const grid::RectilinearGrid& grid);
 
 } // namespace vp::find

@@ -27,7 +27,7 @@ public:
 
 	explicit SpanStore(std::size_t rows) : rows_(rows), heads_(std::make_unique<std::atomic<std::uint64_t>[]>(rows)) {}
 
-	// Whether a span in the row holds the cell.
+	// Returns true if a span in the row holds the cell.
 	bool covers(std::uint32_t row, std::uint32_t cell) const
 	{
 		for (std::uint64_t head = heads_[row].load(std::memory_order_acquire); head; head = olderThan(head))
@@ -43,8 +43,8 @@ public:
 	public:
 		Writer(SpanStore& store, std::size_t thread) : store_(store), thread_(thread), mine_(store.found(thread)) {}
 
-		// Where the columns of the next span are to be written. There is room behind them for what a ColumnWord writes
-		// too much.
+		// Returns where to write the columns of the next span. There is room behind them, since a ColumnWord writes too
+		// many.
 		cases::ColumnCase* room(std::size_t columns)
 		{
 			if (const std::size_t needed = mine_.used_columns + columns + ColumnWord::kColumns;

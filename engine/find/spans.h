@@ -12,7 +12,7 @@
 namespace vp::find
 {
 
-// Whether floodSpans() takes the grid: its rows are not longer than a SpanStore can hold.
+// Returns true if floodSpans() takes the grid: its rows are not longer than a SpanStore can hold.
 bool floodTakes(const grid::Lattice& lattice);
 
 // The traversal of a lattice by runs instead of cells. The nodes of the graph are runs of cut cells along i, which end

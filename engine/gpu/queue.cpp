@@ -44,7 +44,7 @@ Result<std::uint64_t> Device::submit(const Submission& submission)
 	return ++private_->submitted;
 }
 
-// How many submissions are done.
+// Gets the number of submissions that are done.
 VkResult Device::counted(std::uint64_t& number) const
 {
 	return patiently([&] { return vkGetSemaphoreCounterValue(device_, timeline_, &number); });

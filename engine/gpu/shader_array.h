@@ -19,7 +19,7 @@ public:
 		explicit operator bool() const { return buffer != VK_NULL_HANDLE; }
 	};
 
-	// Whether arrays are storage buffers on this device.
+	// Returns true if arrays are storage buffers on this device.
 	static bool usesStorage(const Device& device);
 	static VkDescriptorType descriptorType(const Device& device);
 	static std::uint64_t maxElements(const Device& device); // largest number of 16-byte elements of one array

@@ -78,7 +78,7 @@ public:
 			visit(list_.empty() ? i : list_[i]);
 	}
 
-	// Whether leaves are cubes of lattice cells.
+	// Returns true if leaves are cubes of lattice cells.
 	bool inCubes() const { return in_cubes_; }
 	// The lowest and the highest cell index of a leaf that is a cube, the latter one past the last.
 	std::pair<std::array<std::uint32_t, 3>, std::array<std::uint32_t, 3>> cube(const Node& leaf) const

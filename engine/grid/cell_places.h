@@ -90,8 +90,8 @@ inline std::optional<bool> isEnclosed(const CellPlaces& cell, const Vec3& point)
 	return std::nullopt;
 }
 
-// Whether the center sees all of the cell's surface: then the solid angles of the faces' fans add up to the whole
-// sphere, and the tetrahedra between the center and the fans do not overlap.
+// Returns true if the center sees all of the cell's surface: Then the solid angles of the faces' fans add up to the
+// whole sphere, and the tetrahedra between the center and the fans do not overlap.
 inline bool isStarAbout(const CellPlaces& cell, const Vec3& center)
 {
 	constexpr double kSphere = 4.0 * std::numbers::pi;

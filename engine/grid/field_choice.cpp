@@ -61,7 +61,7 @@ std::string listFields(const grid::BlockSet& blocks)
 	return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
 }
 
-// Whether some shown value is not NaN.
+// Returns true if some shown value is not NaN.
 bool hasNumber(const grid::Field& field, int component)
 {
 	const int first = component == grid::kMagnitude ? 0 : component;

@@ -31,7 +31,8 @@ struct SheetHit
 std::vector<SheetHit> pickSheets(const probe::Probe& probe, const View& view, const glm::dvec2& pixel,
                                  const Box& bounds);
 
-// Where the plane of a placed sheet is under a pixel, window or not; none where it is not in front of the eye.
+// Returns where the plane of a placed sheet lies under a pixel, also outside its window. Returns nothing if that is not
+// in front of the eye.
 std::optional<SheetHit> hitOf(const probe::Sheet& placed, std::size_t sheet, const View& view, const glm::dvec2& pixel);
 
 } // namespace vp::interact

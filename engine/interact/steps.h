@@ -5,7 +5,7 @@
 namespace vp::interact
 {
 
-// How large a scene is, for all that needs a measure: the bounds' diagonal, 1 where they have none.
+// Returns the size of a scene: the bounds' diagonal, or 1 if they have none.
 double sizeOf(const Box& bounds);
 
 // The round step in which snapped moves go: 1, 2 or 5 times a power of ten, about a fiftieth of the diagonal.

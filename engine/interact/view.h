@@ -31,10 +31,10 @@ Ray rayOf(const View& view, const glm::dvec2& pixel);
 // Along the camera's forward(); negative behind the eye.
 double depthOf(const View& view, const Vec3& point);
 
-// Where a point is seen; none of one that is nearer than the near plane.
+// Returns where a point is seen, or nothing if it is nearer than the near plane.
 std::optional<glm::dvec2> pixelOf(const View& view, const Vec3& point);
 
-// How long a length of 1 across the line of sight is seen at a depth > 0.
+// Returns how long a length of 1 across the line of sight is seen at a depth > 0.
 double pixelsPerLength(const View& view, double depth);
 
 // The part of a segment beyond the near plane, in pixels.

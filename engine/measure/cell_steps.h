@@ -18,7 +18,7 @@ std::vector<PlaneLine> meshOutlines(const mesh::SheetMesh& mesh, std::span<const
 std::vector<std::vector<PlaneLine>> groupOutlines(const mesh::SheetMesh& mesh, std::span<const glm::dvec2> points,
                                                   std::span<const std::uint32_t> groups, std::size_t count);
 
-// Where a polygon at or above the level borders one below it; higher values lie on the left.
+// Returns the lines along which a polygon at or above the level borders one below it. Higher values lie on the left.
 std::vector<PlaneLine> stepLines(const mesh::SheetMesh& mesh, std::span<const glm::dvec2> points,
                                  std::span<const double> polygon_values, double level);
 

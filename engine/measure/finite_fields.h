@@ -17,8 +17,9 @@ namespace vp::measure
 class FiniteFields
 {
 public:
-	// Whether that is known of the array. lookups: of values that the caller makes itself where the answer is no. The
-	// array is gone through once, when the lookups of all calls took about as long: so work follows what is shown.
+	// Returns true if all values of the array are known to be finite. lookups: the number of values that the caller
+	// must check itself if the answer is no. The array is checked once the lookups of all calls together took about as
+	// long. So the work follows what is shown.
 	bool holds(const grid::Field& field, std::size_t lookups);
 
 private:

@@ -87,7 +87,7 @@ SheetSums takeVertexValues(const grid::BlockSet& blocks, const mesh::SheetMesh& 
 	                             });
 }
 
-// Whether is_finite(i) holds for each of so many, asked on all cores.
+// Returns true if is_finite(i) holds for each i < count. It is called on all cores.
 template <class IsFinite>
 bool areFinite(std::size_t count, const IsFinite& is_finite)
 {
@@ -100,7 +100,7 @@ bool areFinite(std::size_t count, const IsFinite& is_finite)
 	return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, count, 4096), true, all, std::logical_and<>());
 }
 
-// Whether all that `count` lookups could give is known to be finite.
+// Returns true if all values that `count` lookups could return are known to be finite.
 bool areKnownFinite(std::span<const grid::Field* const> fields, int component, std::size_t count, FiniteFields& known)
 {
 	const std::size_t share = count / fields.size() + 1;

@@ -67,7 +67,7 @@ private:
 		BlockCell cell;
 	};
 
-	// How far a vertex lies within a side.
+	// Returns how far a vertex lies within a side.
 	double within(std::uint32_t v, unsigned side) const
 	{
 		return glm::dot(mesh_.positions[v] - origin_, sides_[side].axis) - sides_[side].least;
@@ -363,8 +363,8 @@ private:
 			partAlong(side);
 		return has_corner;
 	}
-	// Whether corner i of whole_ is added to what is left, too. On the side itself it may be the end of what is left of
-	// its polygon's side.
+	// Returns true if corner i of whole_ stays an added corner. On the side itself it may be the end of the rest of its
+	// polygon's side.
 	bool staysAdded(std::size_t i, unsigned side) const
 	{
 		return !whole_.is_added.empty() && whole_.is_added[i] && within(whole_.corners[i], side) > 0.0;

@@ -42,7 +42,7 @@ public:
 			products += (seen(fan[4]) - first) * swapped(seen(fan[5]) - third);
 		return products[0] - products[1];
 	}
-	// Whether a polygon with this area runs counter-clockwise and is no sliver, whatever its shape. Most are.
+	// Returns true if a polygon with this area runs counter-clockwise and is no sliver, whatever its shape. Most are.
 	bool isClear(double area) const { return area > clear_; }
 	// The area; 0 if tidyPolygons() may have to do with the polygon.
 	double checked(double area, const std::uint32_t* fan) const

@@ -119,7 +119,7 @@ private:
 		endPolygon(cell, entry.edges);
 	}
 
-	// Whether what is across a face is not of this part.
+	// Returns true if the cell across a face does not belong to this part.
 	template <class Record>
 	bool leadsOut(const Record& record, std::uint8_t face) const
 	{

@@ -208,7 +208,7 @@ private:
 		return clear;
 	}
 
-	// Where the heights rise about a polygon: from its cell's points below to those above.
+	// Returns the direction in which the heights rise about a polygon: from its cell's points below to those above.
 	Vec3 riseOf(std::span<const std::uint32_t> polygon) const
 	{
 		Vec3 rise(0.0);

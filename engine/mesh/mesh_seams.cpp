@@ -39,7 +39,7 @@ OpenVertices openVertices(const SheetMesh& mesh, UnionFind& joined)
 	return open;
 }
 
-/// Whether a vertex lies on a face of the cell that it is of: its edge, or the grid point at which it is.
+/// Returns true if a vertex lies on a face of its cell: its edge, or the grid point at which it lies, is on the face.
 bool liesOn(const EdgePoint& vertex, std::span<const PointId> face)
 {
 	const auto has = [&](PointId p) { return std::ranges::find(face, p) != face.end(); };

@@ -25,8 +25,8 @@ double vertexValue(const grid::BlockSet& blocks, const SheetMesh& mesh, std::siz
 double vertexScale(const grid::BlockSet& blocks, const SheetMesh& mesh, std::size_t vertex,
                    std::span<const grid::Field* const> fields, int component);
 
-/// Whether two values are copies of one number, perhaps written in single precision, and interpolated at places a
-/// rounding apart.
+/// Returns true if two values are copies of one number, perhaps written in single precision, and interpolated at places
+/// a rounding apart.
 inline bool isSameValue(double a, double b, double scale)
 {
 	constexpr double kApart = 1e-5;

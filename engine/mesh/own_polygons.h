@@ -40,7 +40,7 @@ public:
 	{
 		return vertices_.subspan(starts_[polygon], starts_[polygon + 1] - starts_[polygon]);
 	}
-	/// Whether a polygon has the vertex as a corner of its own.
+	/// Returns true if a polygon has the vertex as a corner of its own.
 	bool isCorner(std::size_t vertex) const { return is_corner_.empty() || is_corner_[vertex] != 0; }
 
 private:

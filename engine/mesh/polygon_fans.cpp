@@ -79,7 +79,8 @@ private:
 		return false;
 	}
 
-	// Whether that one of the corners left has no width: what is left of a bridge when one side is clipped off.
+	// Returns true if this one of the remaining corners has no width. That is the rest of a bridge of which one side is
+	// clipped off.
 	bool isSpike(std::size_t corner) const
 	{
 		const dvec2& a = places_[left_[corner - 1]];
@@ -89,7 +90,7 @@ private:
 		return a == b || (!turn.clockwise() && !turn.counterClockwise() && glm::dot(a - b, c - b) > 0.0);
 	}
 
-	// Whether the first three corners that are left make a triangle within what is left.
+	// Returns true if the first three remaining corners make a triangle within the rest of the polygon.
 	bool isEar() const
 	{
 		const std::array<dvec2, 3> triangle{places_[left_[0]], places_[left_[1]], places_[left_[2]]};
@@ -110,8 +111,8 @@ private:
 		return !Turn(t[0], t[1], p).clockwise() && !Turn(t[1], t[2], p).clockwise() && !Turn(t[2], t[0], p).clockwise();
 	}
 
-	// Whether the polygon, coming by corner `at` of the triangle a second time with its corner `i`, runs into it there:
-	// clipping leaves bridges without width.
+	// Returns true if the polygon runs into the triangle where its corner `i` meets corner `at` of the triangle again.
+	// That happens because clipping leaves bridges without width.
 	bool leadsInto(const std::array<dvec2, 3>& t, std::ptrdiff_t at, std::size_t i) const
 	{
 		const auto within = [&](const dvec2& p) {

@@ -12,8 +12,8 @@ namespace vp::mesh
 // Polygons are drawn as fans of triangles about their first corner. Here a polygon is its corners' places in its plane,
 // counter-clockwise, in any unit.
 
-// Whether the fan covers the polygon and nothing else: no triangle of it turns clockwise. Convex polygons are such
-// wherever they begin. What turns by less than 1e-9 of its sides' product counts as straight.
+// Returns true if the fan covers the polygon and nothing else: no triangle of it turns clockwise. A convex polygon has
+// such a fan from any corner. A corner that turns by less than 1e-9 of its sides' product counts as straight.
 bool isFan(std::span<const glm::dvec2> polygon);
 
 // Parts a polygon that is none into fans, as corner numbers: into one where some corner sees all others, else by ear

@@ -15,9 +15,10 @@ class SeamValues
 public:
 	SeamValues(const grid::BlockSet& blocks, const SheetMesh& mesh);
 
-	/// Whether each array has one value at both vertices (isSameValue()). Vertices may be added to the mesh meanwhile.
+	/// Returns true if each array has one value at both vertices (isSameValue()). Vertices may be added to the mesh
+	/// meanwhile.
 	bool agree(std::uint32_t v, std::uint32_t w);
-	/// Whether the blocks of both vertices have arrays of the same names and kinds.
+	/// Returns true if the blocks of both vertices have arrays of the same names and kinds.
 	bool haveSameArrays(std::uint32_t v, std::uint32_t w) const;
 
 private:

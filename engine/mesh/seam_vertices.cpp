@@ -151,8 +151,8 @@ private:
 		found_.hanging.push_back(best);
 	}
 
-	// Whether a vertex of the large cell and one of the small cell cut one edge, of which the small cell has a part.
-	// Where it cuts is uncertain if the sheet runs along it. Or whether they lie on one point.
+	// Returns true if a vertex of the large cell and one of the small cell cut one edge, of which the small cell has a
+	// part, or if they lie on one point. If the sheet runs along the edge, the place of the cut is uncertain.
 	bool areOnePlace(std::uint32_t v, std::uint32_t w) const
 	{
 		constexpr double kApart = 1e-6; // share of the edge
@@ -179,7 +179,8 @@ private:
 		return std::visit([&](const auto& grid) { return grid.point(point); }, blocks_.blocks[block].grid);
 	}
 
-	// Whether a vertex lies on a face of the cell that it is of: its edge, or the grid point at which it is.
+	// Returns true if a vertex lies on a face of its cell: its edge, or the grid point at which it lies, is on the
+	// face.
 	static bool liesOn(const EdgePoint& vertex, const std::vector<Corner>& face)
 	{
 		const auto has = [&](PointId p) { return std::ranges::find(face, p, &Corner::id) != face.end(); };
@@ -211,7 +212,7 @@ private:
 		return static_cast<int>(std::ranges::min_element(other_face, {}, distance) - other_face.begin());
 	}
 
-	// Whether two vertices cut the same edge, or lie on the same corner, of faces that coincide.
+	// Returns true if two vertices cut the same edge, or lie on the same corner, of faces that coincide.
 	static bool coincide(const EdgePoint& v, const std::vector<Corner>& face, const EdgePoint& w,
 	                     const std::vector<Corner>& other_face)
 	{

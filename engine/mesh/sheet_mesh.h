@@ -27,7 +27,7 @@ struct EdgePoint
 	double t;
 };
 
-/// Whether two places differ by rounding alone. They lie on edges of about this length.
+/// Returns true if two places differ by rounding alone. They lie on edges of about this length.
 inline bool isOnePlace(const Vec3& a, const Vec3& b, double edge_length)
 {
 	constexpr double kOfEdge = 1e-12;

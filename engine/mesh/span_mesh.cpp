@@ -195,9 +195,10 @@ private:
 	{
 		std::size_t at;
 
-		// Where the vertices of the row's points stand for the column i, in numbers of owned_. It may be asked for
-		// columns from i up to `stop`, which is lowered to where the row's next span begins. The span at hand is the
-		// row's first that ends behind i, since cells have no corners in this row before it begins or behind its end.
+		// Returns where the vertices of the row's points are for column i, as an index into owned_. The result holds
+		// for columns from i up to `stop`, which is lowered to the begin of the row's next span. The current span is
+		// the row's first one that ends behind i, since cells have no corners in this row before its begin or behind
+		// its end.
 		std::ptrdiff_t from(const SpanMesh& mesh, std::uint32_t row, std::uint32_t i, std::uint32_t& stop)
 		{
 			const Span* spans = mesh.cut_.spans.data();

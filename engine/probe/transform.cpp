@@ -9,7 +9,7 @@ namespace vp::probe
 namespace
 {
 
-// Whether vectors are unit and at right angles as far as rounding lets them.
+// Returns true if the vectors have unit length and are at right angles, within rounding.
 bool isFrame(const Vec3& normal, const Vec3& up)
 {
 	constexpr double kRounding = 1e-15;

@@ -15,7 +15,7 @@ std::vector<Box> boxesOf(Team& team, const grid::BlockSet& blocks);
 /// Those of the others that hold cells, grown for the rounding of places.
 std::vector<Box> boxesOfOthers(const Team& team, const std::vector<Box>& boxes);
 
-/// Whether a box touches one of others.
+/// Returns true if a box touches one of the others.
 bool touchesAny(const Box& box, std::span<const Box> others);
 
 /// The ranks whose boxes touch that of this rank, once all have grown by a length. What ranks know of one place, they

@@ -14,7 +14,7 @@ namespace vp::read
 namespace
 {
 
-// Whether there is a cell of this type, degree and number of nodes. degrees: null if the number of nodes tells.
+// Returns true if there is a cell of this type, degree and number of nodes. degrees: null if the number of nodes tells.
 bool isCellOf(std::uint8_t type, std::size_t nodes, const std::int32_t* degrees)
 {
 	if (grid::hasMiddles(type, nodes))

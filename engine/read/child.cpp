@@ -58,8 +58,8 @@ std::string fileTold(std::string_view errors)
 	return std::string(rest.substr(0, std::min(rest.find('\n'), kMaxReasonLength)));
 }
 
-// Whether the limits on memory are the machine's or the caller's. Else they follow from the size of the file, and only
-// a damaged one needs more.
+// Returns true if the limits on memory are the machine's or the caller's. Else they follow from the size of the file,
+// and only a damaged one needs more.
 bool isShortOfMemory(const InputLimits& limits, const ChildSetup& setup)
 {
 	return !limits.follows_size || std::min(setup.memory.rlim_cur, setup.file_size.rlim_cur) < limits.memory;

@@ -60,9 +60,10 @@ bool isBentTetrahedron(CellShape shape, const Corners& corners)
 	return false;
 }
 
-// Whether corners are alike that must be, if four are left and a face has them all: such a cell has edges without
-// length along two axes at least, so two axes tell of a hexahedron, triangles of a wedge, the tip of a pyramid. Written
-// out, since nearly all cells are asked this alone.
+// Returns true if corners are equal that must be equal in a cell with only four different corners, all on one face.
+// Such a cell has edges without length along at least two axes, so two axes of a hexahedron are enough to test, the
+// triangles of a wedge, and the tip of a pyramid. The tests are written out because for nearly all cells no other test
+// follows.
 template <class Id>
 bool mayBeBent(std::uint8_t type, const Id* p)
 {

@@ -40,7 +40,7 @@ public:
 	int degree() const { return degree_; }
 	/// Returns the degree along the line between two places: edges may bend both ways if it is above 2.
 	int degreeAlong(const Vec3f& a, const Vec3f& b) const;
-	/// How often edges are halved whatever the middles say, since the middles alone do not tell how a cell bends.
+	/// Returns how often edges are always halved. The middles alone do not tell how a cell bends.
 	int leastLevels() const { return least_levels_; }
 
 	/// Corners in VTK's order: their places in the list of nodes, and in the cell's coordinates.

@@ -213,7 +213,7 @@ void NearCells::measure(NearCell& near, std::span<const double> lattice) const
 	}
 }
 
-/// Whether no node is off the linear cell by much, so that edges tell how the cell bends.
+/// Returns true if no node is far from the linear cell, so that edges tell how the cell bends.
 bool NearCells::isFlat(const NearCell& near, std::span<const double> lattice) const
 {
 	const CellKind& kind = *near.kind;

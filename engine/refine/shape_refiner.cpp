@@ -280,8 +280,8 @@ void ShapeRefiner::evaluate(std::size_t s, std::vector<double>& middles)
 	}
 }
 
-/// How far an edge between these ends is off at its middle, and where it may bend both ways at its quarters: the
-/// square, as a share of what it may.
+/// Returns the squared error of an edge between these ends, as a share of the allowed one. It is measured at the edge's
+/// middle, and also at its quarters if the edge may bend both ways.
 double ShapeRefiner::offOf(const EdgeTable::NewEdge& edge, const double* a, const double* b, const double* middle,
                            double* weights) const
 {

@@ -288,7 +288,7 @@ Result<Drawn> Renderer::Private::drawOnce(const Scene& scene, const DrawTarget& 
 			recordSample(*begun, scene, pattern[sample], sample);
 		if (sample == 0 && pattern.size() > 1)
 		{
-			// Where the other samples are needed.
+			// Finds where the other samples are needed.
 			gpu::TimedPass timed(timers, *begun, "edges");
 			if (whole)
 				quads.record(*begun, targets);

@@ -103,7 +103,7 @@ void seedBoundary(const grid::Block& block, const surface::BlockSurface& surface
 	std::visit(search, block.grid);
 }
 
-// Where a line first meets the surface.
+// Returns where a line first meets the surface.
 std::optional<Vec3> meetingOn(const surface::BlockSurface& surface, const Vec3& from, const Vec3& along)
 {
 	constexpr int kSteps = 256;

@@ -56,8 +56,8 @@ bool findCuts(const G& grid, const Surface& surface, std::span<const PointId> fa
 	return cuts.count > 0;
 }
 
-// Whether a segment reaches into [lo, hi], its rim included. Liang and Barsky's: the part of the segment between each
-// pair of sides must leave something.
+// Returns true if a segment reaches into [lo, hi], its rim included. Uses the method of Liang and Barsky: a part of the
+// segment must be left between each pair of sides.
 template <int N>
 bool reachesInto(const glm::vec<N, double>& from, const glm::vec<N, double>& to, const glm::vec<N, double>& lo,
                  const glm::vec<N, double>& hi)

@@ -237,7 +237,7 @@ private:
 		}
 	}
 
-	// How far a line reaches that is beside a cell; -kFar: there is none.
+	// Returns how far a line beside the cell reaches, or -kFar if there is no such line.
 	static double coveredFrom(const PassedCell& beside, const Lines& lines)
 	{
 		for (const Line& line : lines)

@@ -109,7 +109,7 @@ private:
 		return some != 0;
 	}
 
-	// Whether the face of a cell towards lower numbers along an axis is cut.
+	// Returns true if the face of a cell towards lower numbers along an axis is cut.
 	bool isFaceCut(const Index& at, int axis) const
 	{
 		const auto [i, j, k] = at;

@@ -29,7 +29,8 @@ bool isFlat(const grid::Block& block, const surface::Plane& plane, CellId cell, 
 	    block.grid);
 }
 
-// Whether a face in the plane is shown by what lies on it at a seam: by a cut cell, or by a face that comes before it.
+// Returns true if something that lies on a face in the plane at a seam shows the face: a cut cell, or a face that comes
+// before it.
 bool isShownAcrossSeam(const grid::BlockSet& blocks, const grid::Interfaces& interfaces, const surface::Plane& plane,
                        std::size_t b, const grid::BoundaryIndex::Face& face)
 {
@@ -91,7 +92,7 @@ void keepFacesToShow(const grid::BlockSet& blocks, const surface::Plane& plane,
 		              });
 }
 
-// Whether a face of a grid with straight axes may lie in the plane, far beyond what rounding can do.
+// Returns true if a face of a grid with straight axes may lie in the plane, far beyond what rounding can do.
 bool mayHoldFaces(const surface::Plane& plane)
 {
 	const Vec3 size = glm::abs(plane.normal());

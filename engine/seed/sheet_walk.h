@@ -133,8 +133,8 @@ struct PassedCell
 	double breadth; // breadth of its section across the line
 };
 
-// Where the line leaves a cell: across the last side that it meets and that does not lead back. kNoCell: out of the
-// block.
+// Returns the cell into which the line goes: across the last side that it meets and that does not lead back. Returns
+// kNoCell if it leaves the block.
 template <grid::Grid G>
 CellId nextCell(const G& grid, CellId cell, CellId before, const Crossings& crossings)
 {

@@ -21,8 +21,8 @@ public:
 	// Returns true if a segment in the plane reaches into the window.
 	bool meets(const Vec3& from, const Vec3& to) const;
 
-	// Whether a face is cut within the window. Of a twisted face, cut more than twice, any two cuts count as joined, so
-	// that nothing is lost.
+	// Returns true if a face is cut within the window. If a twisted face is cut more than twice, any two cuts count as
+	// joined, so that nothing is lost.
 	template <class G, class Surface>
 	bool meetsFace(const G& grid, const Surface& surface, std::span<const PointId> face) const
 	{
@@ -51,8 +51,8 @@ public:
 		return inside || unsure;
 	}
 
-	// Whether a cell lies within the window as seen along the normal: all that is cut of it does then. No where it is
-	// so by less than rounding, and for polyhedra.
+	// Returns true if a cell lies within the window, seen along the normal. Then its whole section does. Returns false
+	// if that is uncertain by rounding, and for polyhedra.
 	template <class G>
 	bool holdsCell(const G& grid, CellId cell) const
 	{

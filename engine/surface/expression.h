@@ -34,7 +34,7 @@ public:
 
 	// Contains value() of every point of the box, which is not empty; see applied() in interval.h for its slack.
 	Interval over(const Box& box) const;
-	// Whether the surface may pass through the box, its rim included.
+	// Returns true if the surface may pass through the box, its rim included.
 	bool meets(const Box& box) const { return over(box).hasBothSides(); }
 
 	// Returns the gradient of value(); it is not finite where there is none.

@@ -49,7 +49,8 @@ Interval clampedTo(const Interval& bounds, const Interval& a)
 // From here on multiples of pi are not told apart with the slack below.
 constexpr double kLargestAngle = 1e6;
 
-// Whether `first` + k `period` lies within the interval for a whole number k, or so near that rounding leaves it open.
+// Returns true if `first` + k `period` lies within the interval for a whole number k, or so near that rounding leaves
+// it open.
 bool meetsMultiple(const Interval& a, double first, double period)
 {
 	const double slack = 1e-9;

@@ -24,8 +24,8 @@ void forFaceTriangles(const grid::CellPlaces& cell, Visit&& visit)
 	}
 }
 
-// Where the way passes a triangle of the surface (Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle
-// Intersection", 1997), up to rounding at its sides: one that is told twice does no harm.
+// Returns where the way passes a triangle of the surface (Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle
+// Intersection", 1997). Rounding may count a place at a side twice, which does no harm.
 std::optional<double> passes(const Vec3& from, const Vec3& way, const Vec3& a, const Vec3& b, const Vec3& c)
 {
 	constexpr double kRounding = 1e-9;

@@ -33,7 +33,7 @@ public:
 		std::string name;     // for the file that names it: relative to that one's folder
 	};
 	Member add(const std::string& name);
-	// Where the members are until commit().
+	// Returns the folder of the members until commit().
 	std::string folder() const { return staging_->path(); }
 
 	// text: of the file that names the others. needs_new_folder: the folder of the stem may not be there.

@@ -128,8 +128,8 @@ private:
 	std::string text_;
 };
 
-// Whether a polygon reaches across the line, made longer, or lies beside it by less than rounding can do. Asked of each
-// polygon alone, so that it does not matter which others are there.
+// Returns true if a polygon reaches across the extended line, or lies beside it within rounding. The answer depends on
+// the polygon alone, and not on other polygons.
 bool mayMeet(const SheetLine& line, std::span<const std::uint32_t> polygon, std::span<const glm::dvec2> points)
 {
 	constexpr double kRounding = 1e-9;

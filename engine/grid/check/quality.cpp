@@ -45,7 +45,7 @@ bool anyAlike(std::span<const PointId> ids, std::span<const Vec3> at)
 	return false;
 }
 
-// Whether corners that a cell lists twice are joined by edges of it, and no others lie at one place.
+// Returns true if corners that a cell lists twice are joined by edges of it, and no others lie at one place.
 bool collapsesAlongEdges(CellShape shape, std::span<const PointId> ids, std::span<const Vec3> at)
 {
 	std::array<std::size_t, kMaxShapePoints> joined;

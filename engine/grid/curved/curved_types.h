@@ -62,7 +62,8 @@ std::size_t nodesOf(std::uint8_t type, const std::array<int, 3>& degrees);
 /// Returns the degree of a Lagrange or Bezier cell with this number of nodes that is the same along all axes.
 std::optional<int> degreeOf(std::uint8_t type, std::size_t nodes);
 
-/// Whether a cell has nodes in the middle of its triangles, and so a degree that its number of nodes does not tell.
+/// Returns true if a cell has nodes in the middle of its triangles, so that its number of nodes does not tell its
+/// degree.
 constexpr bool hasMiddles(std::uint8_t type, std::size_t nodes)
 {
 	return (type == kLagrangeTetra && nodes == kTetraWithMiddles) ||

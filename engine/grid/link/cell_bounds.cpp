@@ -99,8 +99,8 @@ std::size_t pointOnSide(const Points& points, const std::vector<Box>& boxes, int
 	return kNone;
 }
 
-/// Whether some cell has the point. Cells are asked outwards from where they would be, were cells and points in the
-/// same order: where the point is in use, it is mostly found at once.
+/// Returns true if some cell has the point. The search starts at the cell that would have the point if cells and points
+/// had the same order. So a point that is used is mostly found at once.
 bool isUsed(const CellList& cells, std::size_t points, std::size_t point)
 {
 	const std::size_t count = cells.size();

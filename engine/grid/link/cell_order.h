@@ -35,7 +35,7 @@ struct CellCounts
 /// Throws std::length_error where a grid has no numbers for so many. One pass over the types, on all cores.
 CellCounts countCells(const Points& points, const CellList& cells);
 
-/// How many of the file's cells those in the list are part of. The list has source_cells.
+/// Returns how many of the file's cells those in the list are part of. The list has source_cells.
 std::size_t countSources(const CellList& cells);
 
 // Throws as countCells() does.

@@ -92,8 +92,8 @@ Turn turnOfCell(const G& grid, CellId cell)
 	return turnOf(grid.shape(cell), {points.data(), static_cast<std::size_t>(ids.size)});
 }
 
-// Whether three cells or more have a face of this cell, so that two of them lie on the same side of it, or one other
-// cell has its first two faces, as a copy of it has.
+// Returns true if three cells or more have a face of this cell, so that two of them lie on the same side of it, or if
+// another cell has its first two faces, which means a copy of the cell.
 template <int kFaces>
 bool isCrowded(const std::uint32_t* across, bool has_crowds)
 {
@@ -174,10 +174,10 @@ bool isSteady(const RectilinearGrid& grid)
 	return true;
 }
 
-// Whether one of two cells of table shapes lies on each side of the face that they share: face f of `cell`. False where
-// their faces do not have the same points. A cell's faces run counter-clockwise seen from outside if it is turned
-// positively, and clockwise otherwise. So on opposite sides of a face two cells that are turned alike run around it in
-// opposite senses, and two cells that are turned otherwise in the same sense.
+// Returns true if one of two cells of table shapes lies on each side of the face that they share: face f of `cell`.
+// Returns false if their faces do not have the same points. A cell's faces run counter-clockwise seen from outside if
+// it is turned positively, and clockwise otherwise. So on opposite sides of a face two cells that are turned alike run
+// around it in opposite senses, and two cells that are turned otherwise in the same sense.
 bool lieOnOppositeSides(const UnstructuredGrid& grid, const Turns& turns, CellId cell, int f, CellId other)
 {
 	if (turns[other] == Turn::mixed || grid.shape(other) == CellShape::polyhedron)
@@ -208,7 +208,7 @@ bool lieOnOppositeSides(const UnstructuredGrid& grid, const Turns& turns, CellId
 	return false;
 }
 
-// Whether a cell of a table shape is turned one way, and lies across from the neighbors of all its faces.
+// Returns true if a cell of a table shape is turned one way, and lies across from the neighbors of all its faces.
 bool isSoundAmongNeighbors(const UnstructuredGrid& grid, const Turns& turns, CellId cell)
 {
 	if (turns[cell] == Turn::mixed)

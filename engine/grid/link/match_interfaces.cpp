@@ -10,7 +10,7 @@ namespace vp::grid
 namespace
 {
 
-// How many faces lie on another.
+// Returns how many faces lie on another.
 std::size_t distinctFaces(const BlockSeams& seams)
 {
 	std::size_t count = 0;

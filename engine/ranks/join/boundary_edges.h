@@ -9,8 +9,9 @@
 namespace vp::ranks
 {
 
-/// Where boundary faces meet at an angle (render::Outline::edges), of the blocks of all ranks: as one process has them,
-/// which has joined the pieces of a lattice. All ranks call this together and get the same.
+/// Returns the edges at which boundary faces of all ranks' blocks meet at an angle (render::Outline::edges). They are
+/// the same as in one process, which joins the pieces of a lattice. All ranks must call this together, and get the same
+/// result.
 Result<std::vector<render::Segment>> boundaryEdgesOfAll(Team& team, const Share& share, const grid::BlockSet& blocks);
 
 } // namespace vp::ranks

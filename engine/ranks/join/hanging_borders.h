@@ -12,8 +12,9 @@
 namespace vp::ranks
 {
 
-/// Whether a vertex of one rank lies amid a side of another rank's polygon, as where a cell meets several smaller ones.
-/// boxes: boxesOf() the team. rim: vertices that were not joined to those of others. All ranks get the same answer.
+/// Returns true if a vertex of one rank lies amid a side of another rank's polygon, as where a cell meets several
+/// smaller ones. boxes: boxesOf() the team. rim: vertices that were not joined to vertices of other ranks. All ranks
+/// get the same answer.
 bool hangsBetweenRanks(Team& team, const std::vector<Box>& boxes, const mesh::SheetMesh& mesh,
                        std::span<const RimVertex> rim);
 

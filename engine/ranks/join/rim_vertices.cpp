@@ -59,7 +59,7 @@ bool RimVertex::hasDataOf(const RimVertex& other) const
 namespace
 {
 
-/// Whether a vertex may touch another part of a curved surface at a grid point of another rank.
+/// Returns true if a vertex may touch another part of a curved surface at a grid point of another rank.
 bool mayTouch(const mesh::SheetMesh& mesh, std::uint32_t v, std::span<const Box> others)
 {
 	if (mesh.flat || v >= mesh.edges.size() || (mesh.edges[v].t != 0.0 && mesh.edges[v].t != 1.0))
@@ -85,8 +85,8 @@ std::vector<std::uint8_t> rimOf(const mesh::SheetMesh& mesh, std::span<const Box
 	return rim;
 }
 
-/// Whether a vertex lies on a face with these corners: its edge, or the grid point at which it is. By places, since a
-/// vertex has the name of one edge alone where several cells with points of their own meet.
+/// Returns true if a vertex lies on a face with these corners: its edge, or the grid point at which it is. Places are
+/// compared, since a vertex is named after one edge only, even if several cells with points of their own meet there.
 bool liesOn(const grid::BlockSet& blocks, const mesh::EdgePoint& vertex, std::span<const Vec3> corners)
 {
 	return std::visit(

@@ -57,7 +57,7 @@ struct RimVertex
 	bool isAcross(const RimVertex& other) const;     // true if a seam lies between the two
 	bool isOnSameEdge(const RimVertex& other) const; // but for rounding
 	bool hasDataOf(const RimVertex& other) const;
-	/// Whether a join changes neither the place nor a value, as in one process (mesh/join_vertices.h).
+	/// Returns true if a join changes neither the place nor a value, as in one process (mesh/join_vertices.h).
 	bool isOneWith(const RimVertex& other) const;
 };
 

@@ -116,7 +116,7 @@ bool coincide(const UnmatchedFace& a, const UnmatchedFace& b)
 	return a.corners.size() == b.corners.size() && std::ranges::all_of(a.corners, isCornerOfB);
 }
 
-/// Whether a place lies on the fan of triangles about the center of a face.
+/// Returns true if a place lies on the fan of triangles about the center of a face.
 bool liesOn(const Vec3& place, const UnmatchedFace& face, double apart)
 {
 	constexpr double kRounding = 1e-6;

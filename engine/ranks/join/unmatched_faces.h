@@ -31,9 +31,9 @@ struct UnmatchedFace
 /// Returns nothing if the cell has a neighbor there, or the face fewer than three corners.
 std::optional<UnmatchedFace> unmatchedFace(const grid::BlockSet& blocks, const mesh::BlockCell& cell, int face);
 
-/// Whether one process has two blocks as parts of one lattice, so that nothing of its boundary lies between them.
-/// Pieces of unstructured grids meet at seams there, too: they do not share points. whole: per block, the block that
-/// one process would have in its place.
+/// Returns true if one process has two blocks as parts of one lattice, so that no part of its boundary lies between
+/// them. Pieces of unstructured grids do not count: in one process too they meet at seams, since they share no points.
+/// whole: per block, the block that one process would have in its place.
 bool areOneLattice(const grid::BlockSet& blocks, std::span<const std::uint32_t> whole, std::uint32_t a,
                    std::uint32_t b);
 

@@ -165,7 +165,7 @@ public:
 	}
 
 private:
-	/// Whether a face at a seam in this rank is none of the boundary that one process has.
+	/// Returns true if a face at a seam in this rank is not on the boundary that one process would have.
 	bool isSeamWithinLattice(std::uint32_t block, const grid::BoundaryIndex::Face& face) const
 	{
 		const grid::BlockSeams* seams = blocks_.interfaces.of(block);

@@ -63,7 +63,8 @@ void writeDirections(const Camera& camera, const Layout& layout, Canvas& pen)
 	}
 }
 
-// Where the scene may be seen: all over the picture once a part of it is beside or behind the eye.
+// Returns the area in which the scene may be seen. It is the whole picture if a part of the scene is beside or behind
+// the eye.
 Area seenArea(const Box& box, const Camera& camera, const Frame& frame)
 {
 	Area seen{{frame.width, frame.height}, {0.0, 0.0}};

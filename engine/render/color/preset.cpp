@@ -44,7 +44,7 @@ Result<std::vector<double>> numbersOf(const json& preset, const char* key, std::
 	return numbers;
 }
 
-// Whether all of `channels` numbers from `first` on, in groups of `group`, are from 0 to 1.
+// Returns true if all of `channels` numbers from `first` on, in groups of `group`, are from 0 to 1.
 bool colorsAreParts(const std::vector<double>& numbers, std::size_t group, std::size_t first, std::size_t channels)
 {
 	for (std::size_t i = 0; i < numbers.size(); i += group)

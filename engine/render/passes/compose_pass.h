@@ -18,8 +18,8 @@
 namespace vp::render
 {
 
-// Whether its first sample goes straight into the picture, and others are added at edges only: in one part, without
-// lists that may run over.
+// Returns true if the first sample goes straight into the picture, and others are added at edges only. The picture must
+// be drawn in one part, without lists that may overflow.
 bool composesWhole(const gpu::Device& device, const Scene& scene, const PicturePart& part);
 
 // Orders the layers at each pixel, and the surfaces' fragments where there are surfaces, colors and blends them

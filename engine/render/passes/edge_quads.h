@@ -17,7 +17,7 @@ class EdgeQuads
 {
 public:
 	static Result<EdgeQuads> create(gpu::Device& device);
-	// Whether the device has room for the sums of a picture of this size.
+	// Returns true if the device has room for the sums of a picture of this size.
 	static bool fits(const gpu::Device& device, VkExtent2D extent);
 
 	// Before recording, while no submission draws. reach: pixels around it that the color of a pixel depends on.

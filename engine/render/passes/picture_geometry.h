@@ -14,14 +14,14 @@
 namespace vp::render
 {
 
-// Where the samples of a pixel lie, from its center: every sample has a row and a column of its own (a rank-1 lattice),
-// so edges of any direction get as many shades as there are samples.
+// Returns the places of a pixel's samples, from its center. Every sample has a row and a column of its own (a rank-1
+// lattice), so edges of any direction get as many shades as there are samples.
 std::vector<glm::dvec2> samplePattern(int samples);
 
 // Returns the width of lines in pixels: about 1.5 at a height of 720, and in proportion for larger pictures.
 float lineWidth(const Look& look);
 
-// How far from a pixel its color depends on others: contour lines look at neighbors (render_layer_colors.glsl).
+// Returns how far from a pixel its color depends on others: contour lines look at neighbors (render_layer_colors.glsl).
 std::uint32_t contourReach(const Look& look);
 
 // The sheet's frame in clip space, moved by `jitter` pixels, and its window. Formed in double and about the sheet's

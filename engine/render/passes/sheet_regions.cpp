@@ -26,7 +26,7 @@ using Corners = std::array<glm::dvec2, 4>;
 using SheetMask = std::uint32_t; // a bit a sheet
 static_assert(shared::kMaxLayers <= 32);
 
-// Where a sheet has something to show, in its records' uv; none: anywhere.
+// Returns the bounds of the area that a sheet shows, in its records' uv, or nothing if they are unknown.
 std::optional<mesh::UvBounds> shownBounds(const SheetDrawing& drawing)
 {
 	std::optional<mesh::UvBounds> bounds = drawing.bounds ? drawing.bounds : drawing.records->bounds;
@@ -58,7 +58,7 @@ std::optional<Corners> seenCorners(const SheetDrawing& drawing, const Camera& ca
 	return corners;
 }
 
-// Whether all corners lie beyond a line through a cell's padded rectangle, seen from along `normal`.
+// Returns true if all corners lie beyond a line through a cell's padded rectangle, seen from along `normal`.
 bool isApart(const Corners& corners, const glm::dvec2& normal, const glm::dvec2& middle, const glm::dvec2& half)
 {
 	const double reach = glm::dot(glm::abs(normal), half + kPad);

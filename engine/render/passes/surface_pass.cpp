@@ -31,7 +31,7 @@ bool isOpaque(const ColorMap& map)
 	       std::all_of(map.categories.begin(), map.categories.end(), [&](const auto& c) { return hides(c.color); });
 }
 
-// Whether nothing behind it can be seen.
+// Returns true if nothing behind the surface can be seen.
 bool isOpaque(const Scene& scene, const Surface& surface)
 {
 	if (surface.opacity < 1.0 || surface.thick)

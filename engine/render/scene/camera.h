@@ -44,7 +44,7 @@ struct Camera
 	// The pixel of a point in front of the camera; x to the right, y down, pixel centers at halves.
 	glm::dvec2 project(const Vec3& point, const Frame& frame) const;
 
-	// Where the eye looks through a pixel: the direction, 1 long along forward().
+	// Returns the direction in which the eye looks through a pixel. Its length along forward() is 1.
 	Vec3 ray(const glm::dvec2& pixel, const Frame& frame) const;
 
 	// Puts the near plane before the points, as far from the eye as they allow.

@@ -31,7 +31,7 @@ struct Farthest
 
 using Bins = std::vector<Farthest>;
 
-/// Where the ray from the middle leaves a cube about it.
+/// Returns the bin in which the ray from the middle leaves a cube about it.
 std::size_t binOf(const Vec3& way)
 {
 	const Vec3 length = glm::abs(way);

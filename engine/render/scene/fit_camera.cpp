@@ -143,7 +143,7 @@ Camera fitted(Camera camera, const Seen& seen, const Frame& frame, const glm::dv
 	return camera;
 }
 
-// Whether a line parts the picture of the points' hull from the frame's corner.
+// Returns true if a line separates the picture of the points' hull from the frame's corner.
 bool staysOffCorner(const Camera& camera, std::span<const Vec3> points, const Frame& frame)
 {
 	constexpr int kDirections = 16;
