@@ -33,12 +33,12 @@ struct Finding
 	const char* key;
 	const char* about;
 	std::size_t count;
-	bool fault;                       // otherwise it is only told
-	std::vector<grid::SetCell> cells; // concerned, each once, as the file numbers them; none for what is no cell's
+	bool fault;                       // if false, it is only reported
+	std::vector<grid::SetCell> cells; // each cell once, by its number in the file; may be empty
 };
 
-// Seams between blocks, and where a structured block closes, are how such grids are made, and so are cells that have
-// points of their own. In other unstructured blocks they are points that were not merged.
+// Counts the faces whose points were not merged. Seams between blocks, seams where a structured block closes, and cells
+// that have points of their own are left out, because such grids are made that way.
 std::size_t unmergedFaces(const grid::BlockSet& blocks, std::vector<grid::SetCell>& cells)
 {
 	std::size_t count = 0;
@@ -107,7 +107,7 @@ std::vector<Finding> listFindings(const grid::BlockSet& blocks, const grid::Qual
 	add("nonmanifold_faces", "faces of more than two cells", quality.nonmanifold_faces.size(), std::move(around));
 	addCells("nonmanifold_edges", "edges with more than two boundary faces", quality.nonmanifold_edges);
 	addCells("nonmanifold_points", "points where the boundary touches itself", quality.nonmanifold_points);
-	// They change no figure: many programs write all points of a mesh beside some of its cells.
+	// Such points change no figure: many programs write all points of a mesh but only some of its cells.
 	add("orphan_points", "points of no cell", quality.orphans.size(), {}, false);
 	std::vector<grid::SetCell> overlapping;
 	for (const auto& [a, b] : quality.overlaps)
@@ -218,7 +218,7 @@ void addCheck(CLI::App& program, Run& run)
 {
 	auto options = std::make_shared<CheckOptions>();
 	options->input.spec.machine.classify =
-	    view::Classify::cpu; // a plane's cells are few: a device pays off for large grids only, when asked for
+	    view::Classify::cpu; // a plane has few cells, so a device pays off only for large grids
 	CLI::App* command = program.add_subcommand(
 	    "check", "Look for faults of a grid: collapsed, inverted, twisted and overlapping cells, seams");
 	addInputs(*command, options->input);

@@ -46,7 +46,7 @@ Status convertToFile(const std::string& input, const read::ReadOptions& reading,
 	return out->commit();
 }
 
-// An index and its pieces.
+// Writes an index and its pieces.
 Status convertToSet(const std::string& input, const read::ReadOptions& reading, const std::string& output)
 {
 	std::error_code unknown;

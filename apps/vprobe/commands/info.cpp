@@ -33,11 +33,11 @@ struct InfoOptions
 	bool formats = false;
 };
 
-// The arrays of all blocks, each once, with the range over all blocks.
+// An array of the data set, with its range over all blocks.
 struct ArrayInfo
 {
 	const grid::Field* field;
-	grid::ValueSpan range; // empty where no value is finite
+	grid::ValueSpan range; // empty if no value is finite
 };
 
 std::vector<ArrayInfo> listArrays(const grid::BlockSet& blocks)
@@ -62,7 +62,7 @@ std::vector<ArrayInfo> listArrays(const grid::BlockSet& blocks)
 	return arrays;
 }
 
-// Those of all blocks; empty where they differ, or the files name none.
+// Returns the units of all blocks. Empty if they differ, or if the files name none.
 std::string lengthUnits(const grid::BlockSet& blocks)
 {
 	const auto is_same = [&](const grid::Block& block)
@@ -123,20 +123,20 @@ nlohmann::json infoJson(const grid::BlockSet& blocks)
 	        {"arrays", arrays}};
 }
 
-// Both ends, with as many digits as the width of the range needs.
+// Returns both ends, with as many digits as the width of the range needs.
 std::string rangeWords(double lo, double hi, int most = 15)
 {
 	const int digits = digitsForRange(lo, hi, most);
 	return fmt::format("{:.{}g} to {:.{}g}", lo, digits, hi, digits);
 }
 
-// Those that a number of single precision has; more would be made up.
+// Returns the number of digits to print. More digits than single precision holds would be made up.
 int digitsOf(grid::NumberType type)
 {
 	return type == grid::NumberType::float32 ? 7 : 15;
 }
 
-// All of them, or, of many, those that tell how they go on.
+// Returns all times, or, if there are many, enough of them to show how they continue.
 std::string timesAsWords(const std::vector<double>& times)
 {
 	constexpr std::size_t most = 30;
@@ -156,7 +156,7 @@ std::string timesAsWords(const std::vector<double>& times)
 	return words;
 }
 
-// Of many blocks, or pairs of them, the first tell enough.
+// If there are many blocks, or pairs of blocks, the first ones are enough.
 constexpr std::size_t kMaxPrinted = 12;
 
 void printMore(std::size_t all)

@@ -73,7 +73,7 @@ Result<ExitCode> runManual(const ManualOptions& options)
 
 } // namespace
 
-// For those who make packages, and for the scripts that complete words: no part of the help.
+// This command is for people who make packages, and for the completion scripts. The help does not show it.
 void addManual(CLI::App& program, Run& run)
 {
 	auto options = std::make_shared<ManualOptions>();

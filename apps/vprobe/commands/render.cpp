@@ -30,7 +30,7 @@ struct RenderOptions
 	std::string vectors_out;
 };
 
-// The picture's name where the user gives none: the input's, in the folder where the program runs.
+// Returns the picture's name if the user gives none: the input's name, in the current folder.
 std::string defaultOutput(const view::InputSpec& input)
 {
 	std::string name = input.files.empty() ? "picture" : std::filesystem::path(input.files.front()).filename().string();
@@ -41,7 +41,7 @@ std::string defaultOutput(const view::InputSpec& input)
 	return name + ".png";
 }
 
-// A file that is there already is not overwritten without being asked for.
+// Does not overwrite an existing file, because the user did not name it.
 Status takeDefaultOutput(RenderOptions& options)
 {
 	if (!options.output.empty())

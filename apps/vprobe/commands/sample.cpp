@@ -24,7 +24,7 @@ struct SampleOptions
 {
 	SpecOptions input;
 	std::string points;
-	std::vector<double> line; // none, or where it begins, where it ends, and how many points
+	std::vector<double> line; // empty, or where it begins, where it ends, and how many points
 	std::vector<std::string> arrays;
 	std::string output = "-";
 };

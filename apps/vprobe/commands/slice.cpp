@@ -32,11 +32,11 @@ struct SliceOptions
 	std::string output;
 	std::string stats;
 	std::string vectors_out;
-	std::vector<double> line; // none, or where it begins and ends on the sheet
+	std::vector<double> line; // empty, or where it begins and ends on the sheet
 	int line_sheet = 0;
 };
 
-// Told before a large file is read: what does not go with --line.
+// Checks --line before a large file is read, and that no option was given that does not go with it.
 Status checkLine(const SliceOptions& options, const CLI::App& command)
 {
 	if (options.line.empty())
@@ -64,7 +64,7 @@ Status writeLineFile(const session::Session& session, const SliceOptions& option
 	return isFirst() ? write::writeLine(table, frame.slice.sheets[sheet].sheet, line, options.output) : Nothing{};
 }
 
-// White paper, unless a background is asked for.
+// Returns the look of a flat picture. Its background is white unless the user asks for another.
 Result<view::ResolvedLook> planeLook(const SliceOptions& options, const CLI::App& command)
 {
 	view::ViewSpec spec = options.common.spec;
@@ -113,7 +113,7 @@ Status checkProcesses(const SliceOptions& options)
 	return ranks::canWrite(processes(), options.output);
 }
 
-// What only the number of sheets tells.
+// Checks what depends on the number of sheets.
 Status checkSheets(const SliceOptions& options, std::size_t sheets)
 {
 	if (!options.line.empty() && static_cast<std::size_t>(options.line_sheet) >= sheets)
@@ -125,7 +125,7 @@ Status checkSheets(const SliceOptions& options, std::size_t sheets)
 	return Nothing{};
 }
 
-// Pictures, polygons or values along a line; gives the files.
+// Writes pictures, polygons or values along a line. Returns the names of the files.
 Result<std::vector<std::string>> writeFiles(const session::Session& session, const SliceOptions& options,
                                             const view::ResolvedLook& look, const session::Frame& frame)
 {
@@ -153,7 +153,7 @@ Result<ExitCode> runSlice(const SliceOptions& options, const CLI::App& command)
 	if (Status one = view::requireOneSurface(spec.probe); !one)
 		return one.error();
 	const bool pictures = picture::namesPictures(options.output);
-	// Polygons are written with every array; and where arrays jump between blocks, vertices are not joined.
+	// Polygons are written with every array. Vertices are not joined if arrays jump between blocks.
 	const session::OpenOptions how{
 	    .expect = session::Expect::one_cut, .reads_all_arrays = !pictures, .reads_again = false, .ranks = processes()};
 	if (Status fits = checkProcesses(options); !fits)

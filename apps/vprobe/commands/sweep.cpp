@@ -113,7 +113,7 @@ Result<nlohmann::json> sweepOverTimes(const SweepOptions& options, SweepPlan pla
 	if (!session.spec().look.range && options.draws())
 		warn("--path times: the colors follow the range of each time; --range LO HI holds them still");
 	plan.times = &times;
-	// Where only values differ, the cells that were found are kept, and neighbors would not be used.
+	// If only values differ between times, the cells that were found are kept, and neighbors would not be used.
 	const auto ask = [](int) { return session::FrameRequest{.expect = session::Expect::first_of_many}; };
 	return sweepThrough(plan, ask, session, products);
 }
