@@ -11,7 +11,7 @@ namespace vp::app
 namespace
 {
 
-// sRGB (IEC 61966-2-1) to light and back.
+// These functions convert sRGB (IEC 61966-2-1) to linear light and back.
 float lightOf(std::uint8_t code)
 {
 	static const std::array<float, 256> table = []
@@ -34,7 +34,7 @@ std::uint8_t codeOf(float light)
 	return static_cast<std::uint8_t>(std::lround(255.0f * c));
 }
 
-// Alpha adds up like light, and is none.
+// Alpha adds up like light, but needs no conversion.
 float channelOf(const render::Picture& picture, std::size_t i)
 {
 	return i % 4 == 3 ? static_cast<float>(picture.rgba[i]) / 255.0f : lightOf(picture.rgba[i]);

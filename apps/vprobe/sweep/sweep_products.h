@@ -49,7 +49,7 @@ private:
 	std::optional<picture::Painter> painter_;
 	std::unique_ptr<DeferredInterrupt> interrupt_; // if there is a series
 	std::optional<write::SliceSeries> series_;     // at the process that writes
-	Status written_ = Nothing{};                   // of the writing thread
+	Status written_ = Nothing{};                   // error of the writing thread
 	std::atomic<bool> write_failed_ = false;       // stops the drawing
 	std::optional<Worker> writer_;                 // must be the last member, since it uses the others
 };

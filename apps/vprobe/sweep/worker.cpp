@@ -27,7 +27,7 @@ Worker::~Worker()
 	thread_.join();
 }
 
-// failure_ is this thread's while it is busy.
+// While this thread is busy, no other thread touches failure_.
 void Worker::doJob(const std::function<void()>& job)
 {
 	if (failure_)
@@ -55,7 +55,7 @@ void Worker::work()
 		changed_.notify_all();
 		lock.unlock();
 		doJob(job);
-		job = nullptr; // what it holds goes before the next one is begun
+		job = nullptr; // frees what the job holds before the next one begins
 		lock.lock();
 		busy_ = false;
 		changed_.notify_all();

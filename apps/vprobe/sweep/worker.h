@@ -15,7 +15,7 @@ namespace vp::app
 class Worker
 {
 public:
-	explicit Worker(std::string name); // name: of the thread in traces
+	explicit Worker(std::string name); // name: the thread's name in traces
 	~Worker();                         // waits for the jobs that were given
 	Worker(const Worker&) = delete;
 	Worker& operator=(const Worker&) = delete;
