@@ -19,14 +19,14 @@ namespace
 
 using nlohmann::json;
 
-constexpr std::uintmax_t kMaxBytes = 64u << 20; // of a profile: some 200 bytes a generation
+constexpr std::uintmax_t kMaxBytes = 64u << 20; // size of a profile: a generation takes some 200 bytes
 
-// Two runs of one program differ by so much on a machine that is left alone (docs/PROFILE.md): parts of the value.
+// Two runs of one program differ by this part of the value on an otherwise idle machine (docs/PROFILE.md).
 constexpr double kRunNoise = 0.05;
-constexpr double kOnceNoise = 0.25; // of what is measured once a run
+constexpr double kOnceNoise = 0.25; // for a figure that is measured once per run
 constexpr double kResidentNoise = 0.02;
 
-// A figure of a profile, and how far chance may take it.
+// A figure of a profile, and by how much it may be off by chance.
 struct Figure
 {
 	double value;
@@ -45,8 +45,8 @@ bool isSpread(const json& value)
 	return value.is_object() && value.contains("median") && value.contains("noise");
 }
 
-// Twice the standard error of each, where a single measurement has the deviation `noise`: of the median of n about 1.25
-// noise / sqrt(n), of their 95th percentile 2.1 noise / sqrt(n).
+// Adds both figures with twice their standard errors. If a single measurement has the deviation `noise`, the standard
+// error of the median of n is about 1.25 noise / sqrt(n), and that of their 95th percentile is 2.1 noise / sqrt(n).
 void addSpread(const std::string& key, const json& spread, double planes, Figures& figures)
 {
 	const double noise = numberIn(spread, "noise");
@@ -88,7 +88,7 @@ void addFigures(const std::string& prefix, const json& object, double planes, Fi
 	}
 }
 
-// What was measured, as profile_report.cpp writes it.
+// Keys that say what was measured, as profile_report.cpp writes them.
 constexpr const char* kSubject[] = {"input", "grid",    "array",     "device", "classifier", "finder",
                                     "probe", "surface", "threshold", "seeds",  "crinkle",    "sheets",
                                     "path",  "planes",  "picture",   "threads"};
@@ -112,7 +112,7 @@ struct Change
 	bool sameValue() const { return a && b && a->value == b->value; }
 	bool byChance() const { return a && b && std::abs(a->value - b->value) <= std::hypot(a->noise, b->noise); }
 	double ratio() const { return a && b ? b->value / a->value : std::numeric_limits<double>::quiet_NaN(); }
-	// How much the values differ, for sorting: what one run lacks comes first.
+	// Returns how much the values differ, for sorting. A figure that one run lacks comes first.
 	double size() const
 	{
 		if (!a || !b || a->value <= 0.0 || b->value <= 0.0)
@@ -179,7 +179,7 @@ Result<json> readProfile(const std::string& file)
 	std::ifstream stream(file, std::ios::binary);
 	if (!stream || std::filesystem::is_directory(file, failed))
 		return unusable("cannot be read");
-	// Deeper than any profile nests; what walks through it calls itself.
+	// No profile nests as deep as this. The limit protects the functions that walk through the document by recursion.
 	const auto is_shallow = [](int depth, json::parse_event_t, json&) { return depth <= 16; };
 	json document = json::parse(stream, is_shallow, false);
 	if (!document.is_object())

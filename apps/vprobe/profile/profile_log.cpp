@@ -105,9 +105,9 @@ void ProfileLog::addGenerations(const std::vector<Section>& sections)
 		GenerationLog& log = generations_[g];
 		log.cells.push_back(static_cast<double>(classified[g].cells));
 		log.classify_ms.push_back(classified[g].duration_ms);
-		if (g < expanded.size()) // none follows an error
+		if (g < expanded.size()) // after an error there is no expansion
 			log.expand_ms.push_back(expanded[g].duration_ms);
-		// A generation that lies in blocks of the CPU alone has none of the device's.
+		// A generation that lies only in blocks that the CPU classifies has no time on the device.
 		if (on_gpu.size() == classified.size())
 			log.gpu_ms.push_back(on_gpu[g].duration_ms);
 	}

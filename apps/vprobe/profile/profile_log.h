@@ -38,8 +38,8 @@ public:
 	void add(const cut::Cut& slice, const std::vector<session::SheetStats>& sheets,
 	         const std::vector<Timeline::Section>& sections);
 
-	// For a process that puts the logs of several together: the slowest one's times, and the sum of the work.
-	// Generations stay those of this log.
+	// A process that puts the logs of several together calls these: the times become those of the slowest process, and
+	// the work becomes the sum. Generations stay those of this log.
 	void put(ranks::MessageWriter& to) const;
 	void include(ranks::MessageReader& other);
 

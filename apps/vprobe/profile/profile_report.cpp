@@ -36,7 +36,7 @@ nlohmann::json withFirst(const std::vector<double>& ms)
 	return json;
 }
 
-// In the order of their beginnings: a list, as an object of JSON has none.
+// Stages come in the order in which they begin. This is a list, since JSON objects have no order.
 nlohmann::json stagesJson(const ProfileLog& log, Timeline::Track track)
 {
 	nlohmann::json list = nlohmann::json::array();
@@ -82,7 +82,7 @@ double frontMean(const ProfileLog& log)
 	return fronts > 0.0 ? cells / fronts : 0.0;
 }
 
-// Of the planes that cut any. The median, since the first ones build what is built but once.
+// Takes the median over the planes that cut any cell, since the first planes also build what is built only once.
 double nsPerCutCell(const ProfileLog& log)
 {
 	const std::vector<double> ms = log.msOf("cut");
@@ -97,7 +97,7 @@ std::size_t peakResident()
 {
 	rusage usage{};
 	getrusage(RUSAGE_SELF, &usage);
-	return static_cast<std::size_t>(usage.ru_maxrss) * 1024; // Linux tells KiB
+	return static_cast<std::size_t>(usage.ru_maxrss) * 1024; // Linux returns KiB
 }
 
 nlohmann::json memoryJson(const session::Session& session)
@@ -119,7 +119,7 @@ nlohmann::json memoryJson(const session::Session& session)
 	          {"device", cutter.device}}}};
 }
 
-// What was measured: two profiles are of the same work where all this is the same.
+// Says what was measured. Two profiles measured the same work if all of this is the same.
 nlohmann::json subjectJson(const Profile& profile)
 {
 	const view::ProbeSpec& probe = profile.session.spec().probe;

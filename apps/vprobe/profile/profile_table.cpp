@@ -13,7 +13,7 @@ namespace
 
 using nlohmann::json;
 
-// More are told by the document.
+// The document lists more of them.
 constexpr std::size_t kShownGenerations = 12;
 
 std::string bytesText(double bytes)

@@ -9,7 +9,7 @@ namespace vp::app
 namespace
 {
 
-// The value that stands at a place, from 0, when all are in order.
+// Returns the value at a place, counted from 0, of the sorted values.
 double ranked(std::vector<double> values, std::size_t place)
 {
 	const auto at = values.begin() + static_cast<std::ptrdiff_t>(place);
@@ -17,7 +17,7 @@ double ranked(std::vector<double> values, std::size_t place)
 	return *at;
 }
 
-// The smallest value that 95 of 100 are not above.
+// Returns the smallest value that 95 of 100 values do not exceed.
 double percentile95(const std::vector<double>& values)
 {
 	return values.empty() ? 0.0 : ranked(values, (95 * values.size() + 99) / 100 - 1);
@@ -28,8 +28,8 @@ double noiseOf(const std::vector<double>& values)
 	std::vector<double> distances;
 	for (std::size_t k = 1; k + 1 < values.size(); ++k)
 		distances.push_back(std::abs(values[k] - 0.5 * (values[k - 1] + values[k + 1])));
-	// Of a normal distribution the median distance is 1 / 1.4826 of the deviation; that of a value from the mean of
-	// two others has sqrt(1 + 1/2) of its own.
+	// In a normal distribution, the median distance is 1 / 1.4826 of the standard deviation. The distance of a value
+	// from the mean of two others has sqrt(1 + 1/2) times the deviation of one value.
 	return 1.4826 / std::sqrt(1.5) * medianOf(distances);
 }
 

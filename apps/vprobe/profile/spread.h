@@ -12,9 +12,10 @@ struct Spread
 {
 	double median = 0.0;
 	double p95 = 0.0; // 95 of 100 measurements are not above it
-	// How much one measurement is off by chance: the standard deviation about the mean of its two neighbors, by the
-	// median of the distances from it, since along a sweep the work itself changes slowly (Gasser, Sroka and
-	// Jennen-Steinmetz, "Residual variance and residual pattern in nonlinear regression", 1986). 0 of fewer than three.
+	// How much one measurement is off by chance. This is the standard deviation about the mean of the two neighbors,
+	// estimated by the median of the distances from that mean, since along a sweep the work itself changes slowly
+	// (Gasser, Sroka and Jennen-Steinmetz, "Residual variance and residual pattern in nonlinear regression", 1986). It
+	// is 0 if there are fewer than three measurements.
 	double noise = 0.0;
 };
 

@@ -11,7 +11,7 @@ namespace
 
 using nlohmann::json;
 
-// The sum of all numbers in objects of the same keys.
+// Adds every number of `other` to that of the same key in `sum`.
 void addNumbers(json& sum, const json& other)
 {
 	for (auto& [key, value] : sum.items())

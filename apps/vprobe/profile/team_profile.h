@@ -7,9 +7,9 @@
 namespace vp::app
 {
 
-// Brings what all ranks of the session's team have measured together at the first one. Of each plane, the slowest
-// rank's times count, and the sum of cells, polygons and vertices. Memory is that of all together. Adds "ranks": the
-// times and the resources of each. All ranks call it; what others get is a part.
+// Brings the measurements of all ranks of the session's team together at the first one. For each plane, the times are
+// those of the slowest rank, and cells, polygons and vertices are summed. Memory is the sum over all ranks. Adds
+// "ranks": the times and the resources of each rank. All ranks call this; the other ranks get only a part.
 nlohmann::json profileOfTeam(const Profile& own);
 
 } // namespace vp::app
