@@ -48,7 +48,7 @@ void addColorOptions(CLI::App& command, SpecOptions& options)
 	command.add_flag("--mesh", look.mesh, "Draw the edges of the cut's polygons")->group(kLookGroup);
 }
 
-// Of what has a depth.
+// Adds the options that only pictures in space have.
 void addSpaceOptions(CLI::App& command, SpecOptions& options)
 {
 	view::LookSpec& look = options.spec.look;

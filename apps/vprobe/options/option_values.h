@@ -17,7 +17,7 @@ namespace vp::app
 
 // These functions add options that fill the typed values of a ViewSpec.
 
-// The key of an option's setting: "--color-by" is `color_by`.
+// Returns the key of an option's setting: "--color-by" is `color_by`.
 inline std::string keyOf(const char* option)
 {
 	std::string key = option + 2;
@@ -41,7 +41,7 @@ inline CLI::Option* addText(CLI::App& command, SpecOptions& options, const char*
 	    help);
 }
 
-// The same, with a function that parses the word into `value`.
+// Adds such an option with a function that parses the word into `value`.
 template <class T, class Parse>
 CLI::Option* addText(CLI::App& command, SpecOptions& options, const char* name, T& value, Parse parse,
                      const std::string& help)

@@ -11,7 +11,7 @@ namespace
 
 const char* const kProbeGroup = "Probe";
 
-// One of a kind, or the file of one's own.
+// Takes the name of a built-in probe, or reads a probe file.
 Status chooseProbe(view::ProbeSpec& probe, const std::string& name)
 {
 	const Result<view::ProbeShape> shape = view::parse<view::ProbeShape>(name);

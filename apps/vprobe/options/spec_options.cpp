@@ -20,7 +20,7 @@ void addStateOptions(CLI::App& command, SpecOptions& options)
 	                "Save input, probe, look and path, as the command line gives them, in a file")
 	    ->type_name("FILE.json")
 	    ->group(group);
-	// Before any other option is looked at, so that those go before what the file says.
+	// The state is read before any other option, so that the other options take precedence over it.
 	command
 	    .add_option_function<std::string>(
 	        "--state",
