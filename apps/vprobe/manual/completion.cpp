@@ -14,7 +14,7 @@ namespace vp::app
 namespace
 {
 
-// What comes behind an option.
+// Says what may follow an option.
 struct ValueOf
 {
 	std::vector<std::string> words{}; // one of these
@@ -22,7 +22,7 @@ struct ValueOf
 	bool is_file = false;
 };
 
-// Words stand in the type's name: {a,b,c}, or a|b|c in small letters.
+// Returns the words in a type's name, which is {a,b,c}, or a|b|c in small letters.
 std::vector<std::string> wordsIn(const std::string& type)
 {
 	const std::size_t begin = type.find('{');
@@ -68,7 +68,7 @@ std::vector<std::string> namesOf(const CLI::Option& option)
 	return names;
 }
 
-// Between apostrophes for a shell.
+// Puts text between apostrophes for a shell.
 std::string shellWord(const std::string& text)
 {
 	std::string safe;
@@ -77,7 +77,7 @@ std::string shellWord(const std::string& text)
 	return "'" + safe + "'";
 }
 
-// For a description within [...] of zsh's _arguments.
+// Escapes a description that stands within [...] of zsh's _arguments.
 std::string inBrackets(const std::string& text)
 {
 	std::string safe;

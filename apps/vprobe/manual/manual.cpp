@@ -27,7 +27,7 @@ constexpr std::array kExitCodes{
     std::pair{ExitCode::interrupted, "Interrupted."},
 };
 
-// Text for roff: hyphens are minus signs, and a line never begins with a request.
+// Escapes text for roff: hyphens become minus signs, and no line begins with a request.
 std::string roff(const std::string& text)
 {
 	std::string safe;
@@ -45,7 +45,7 @@ std::string roff(const std::string& text)
 	return safe;
 }
 
-// What CLI11 prints behind an option's name: the type, the default, what it needs and excludes.
+// Returns the text that CLI11 prints behind an option's name: the type, the default, what it needs and excludes.
 struct OptionText : CLI::Formatter
 {
 	std::string name(const CLI::Option* option) const { return make_option_name(option, false); }
