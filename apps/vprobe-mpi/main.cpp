@@ -15,9 +15,9 @@ namespace
 
 const vp::app::MpiTeam* processes = nullptr;
 
-// What is wrong with the command line or the input is often wrong at every rank. The first rank that fails prints its
-// line and ends all; those after it give it time to be heard. A command line is mostly the same everywhere, so that
-// they wait longer for the first one.
+// An error in the command line or the input often occurs at every rank. The first rank that fails prints its line and
+// ends all ranks. The ranks after it wait for that. An error in the command line is mostly the same everywhere, so in
+// that case they wait longer.
 void endAll(const std::string& line, vp::app::ExitCode code)
 {
 	using namespace std::chrono_literals;

@@ -20,7 +20,7 @@ constexpr int kFailed = 1; // the tag of a message without bytes; all others hav
 
 constexpr std::size_t kMostAtOnce = std::size_t(1) << 30; // MPI counts bytes in an int
 
-// MPI's own wait takes a whole core. Ranks share cores with the threads of others that still work.
+// MPI's own wait keeps a whole core busy. Ranks share cores with the threads of other ranks that still work.
 void waitFor(std::vector<MPI_Request>& requests)
 {
 	std::chrono::microseconds nap(20);
@@ -34,7 +34,7 @@ void waitFor(std::vector<MPI_Request>& requests)
 	}
 }
 
-// visit(offset, bytes) for each message.
+// Calls visit(offset, bytes) for each message.
 template <class Visit>
 void forMessages(std::size_t size, const Visit& visit)
 {
@@ -46,7 +46,7 @@ void forMessages(std::size_t size, const Visit& visit)
 
 MpiTeam::MpiTeam(int* argc, char*** argv)
 {
-	// What MPI asks for the machine's topology would look for X displays, and end the program when one of them ends.
+	// hwloc, which MPI asks for the machine's topology, would look for X displays, and end the program when one ends.
 	setenv("HWLOC_COMPONENTS", "-gl", 0);
 	int provided = 0;
 	MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &provided);

@@ -7,19 +7,19 @@
 namespace vp::app
 {
 
-// The processes that mpiexec has started. One lives at a time; only the thread that made it uses it.
+// The processes that mpiexec has started. Only one object exists at a time, and only the thread that made it uses it.
 class MpiTeam : public ranks::Team
 {
 public:
 	MpiTeam(int* argc, char*** argv);
-	~MpiTeam() override; // all ranks come to their end together
+	~MpiTeam() override; // waits until all ranks end
 
 	int rank() const override { return rank_; }
 	int size() const override { return size_; }
 	ranks::Bytes sendReceive(int to, const ranks::Bytes& bytes, int from) override;
 
-	// For a rank that fails: says so to the ranks after it, and waits to hear it of one before it. Returns whether none
-	// has failed as far as it heard, so that its own line is the one to print.
+	// A rank that fails calls this. It tells the ranks after it, and waits for such a message from a rank before it.
+	// Returns true if no such message came, so that this rank has to print its line.
 	bool failsFirst(std::chrono::milliseconds patience) const;
 
 	// Ends all ranks at once, with an exit status.
