@@ -3,8 +3,8 @@
 namespace vp::app
 {
 
-// While one lives, Ctrl-C waits until the work asks for it: for what consists of more files than a signal handler can
-// remove. A second Ctrl-C does not wait.
+// Delays Ctrl-C as long as an object of this class exists: the work asks for it with came(). Use it while writing more
+// files than a signal handler can remove. A second Ctrl-C takes effect at once.
 class DeferredInterrupt
 {
 public:
@@ -16,7 +16,7 @@ public:
 	bool came() const;
 };
 
-// For the signal handler: true where the interrupt is to wait.
+// The signal handler calls this. Returns true if the interrupt has to wait.
 bool deferInterrupt() noexcept;
 
 } // namespace vp::app

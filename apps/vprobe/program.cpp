@@ -41,7 +41,7 @@ void endInterrupted(int)
 	_exit(exitStatus(ExitCode::interrupted));
 }
 
-// CLI11's reasons, as one line that names the remedy.
+// Returns CLI11's reason as one line that names the remedy.
 std::string usageLine(const std::string& name, const CLI::App& program, const CLI::ParseError& error)
 {
 	std::string reason = error.what();
@@ -57,7 +57,7 @@ int failed(const Program& program, const std::string& line, ExitCode code)
 	return exitStatus(code);
 }
 
-// After a help text.
+// Ends the program after a help text. Returns the exit status.
 int told(const Program& program)
 {
 	const Status written = flushOutput();
@@ -111,7 +111,7 @@ int runProgram(const Program& program, int argc, char** argv)
 	for (const auto add : program.commands)
 		add(app, run);
 
-	// CLI11 would say that a command is missing, not that this one is none.
+	// CLI11 would say that a command is missing, not that this word is not a command.
 	const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
 	if (argc > 1 && argv[1][0] != '-' &&
 	    std::none_of(commands.begin(), commands.end(), [&](const CLI::App* c) { return c->get_name() == argv[1]; }))
