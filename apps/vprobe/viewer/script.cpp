@@ -25,10 +25,10 @@ namespace vp::app
 namespace
 {
 
-// A window's manager may take its time, and may refuse.
+// A window manager may take its time, and may refuse.
 constexpr std::chrono::seconds kPatience{5};
 
-// Parted by spaces; "..." holds a word with spaces together.
+// Splits a line at spaces. Quotation marks hold a word with spaces together.
 std::vector<std::string> wordsOf(const std::string& line)
 {
 	std::istringstream text(line);
@@ -56,7 +56,7 @@ Result<std::shared_ptr<std::FILE>> Script::open(const std::string& file)
 {
 	noteInput(file);
 	struct stat kind = {};
-	// A FIFO that we could write to as well never comes to its end: others may come and go.
+	// A FIFO that is opened for writing too never ends, so several writers may come and go.
 	const bool pipe = file != "-" && stat(file.c_str(), &kind) == 0 && S_ISFIFO(kind.st_mode);
 	std::FILE* opened = file == "-" ? fdopen(dup(STDIN_FILENO), "r") : std::fopen(file.c_str(), pipe ? "r+e" : "re");
 	if (!opened)
@@ -98,7 +98,7 @@ void Script::read()
 		take({bytes.data(), static_cast<std::size_t>(count)}, line);
 	}
 	if (!line.empty())
-		take("\n", line); // the last line of a file need not end
+		take("\n", line); // the last line of a file need not end with a line break
 }
 
 void Script::take(std::string_view bytes, std::string& line)
@@ -130,7 +130,7 @@ bool Script::run(const Stage& stage)
 	if (isWaiting(stage))
 		return true;
 	bool busy = false;
-	// What is waited for is looked at in a later round: input that came before the command counts too.
+	// The condition to wait for is checked in a later round, so that input from before the command counts too.
 	while (!waiting_ && !stage.document.wantsToQuit())
 	{
 		const std::optional<std::string> line = next();
@@ -158,7 +158,7 @@ bool Script::isWaiting(const Stage& stage)
 	return waiting_.has_value();
 }
 
-// What a script asks for may fail later, as loading does: a window tells that in a notice, which no script reads.
+// A command may fail later, as loading does. The window shows that in a notice, which a script cannot read.
 void Script::tellErrors(const Document& document)
 {
 	Moment newest = told_;
@@ -226,7 +226,8 @@ Status Script::act(const Words& words, const Stage& stage)
 	return Nothing{};
 }
 
-// What a frame of the window changes, as the part of it that shows the scene, is asked for with the frame after it.
+// If a frame of the window changes something, such as the size of the scene, only the next frame requests a picture of
+// it.
 void Script::waitForPicture(const Stage& stage)
 {
 	constexpr std::uint64_t kFrames = 2;

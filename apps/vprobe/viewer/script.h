@@ -19,13 +19,13 @@
 namespace vp::app
 {
 
-// What --commands says, line by line, as docs/VIEWER.md explains it. Lines are read on a thread of their own and
-// carried out, one after the other, on the window's. What fails is told in a line on standard error; the next one
-// follows.
+// Carries out the lines of --commands, which docs/VIEWER.md explains. A thread of its own reads the lines, and the
+// window's thread carries them out, one after the other. If a line fails, an error is printed on standard error, and
+// the next line follows.
 class Script
 {
 public:
-	// A FIFO is listened to until the window closes; "-" is standard input. An error where it cannot be read.
+	// A FIFO is read until the window closes; "-" is standard input. Returns an error if the file cannot be read.
 	static Result<std::shared_ptr<std::FILE>> open(const std::string& file);
 
 	// wake: called on the reading thread when a line has come.
@@ -40,13 +40,14 @@ public:
 		Window& window;
 		Screen& screen;
 		bool shows_newest;    // the window shows the document's picture
-		std::uint64_t frames; // of the window, shown so far
+		std::uint64_t frames; // frames of the window so far
 	};
-	// Carries out what has come, up to what has to wait. True where anything was done or is waited for.
+	// Carries out the lines that have come, up to one that has to wait. Returns true if anything was done or has to
+	// wait.
 	bool run(const Stage& stage);
-	// A frame of the window is needed, whether or not anything moves.
+	// Returns true if the script needs a frame of the window, even if nothing moves.
 	bool wantsFrame() const { return captures_; }
-	// Tells what went wrong since the last look.
+	// Prints the errors since the last call.
 	void tellErrors(const Document& document);
 
 private:
@@ -54,7 +55,7 @@ private:
 	struct Waiting
 	{
 		std::function<bool(const Stage&)> done;
-		std::optional<Moment> until; // then it has failed
+		std::optional<Moment> until; // after this time it has failed
 		std::string failure;
 	};
 
@@ -76,7 +77,7 @@ private:
 	int ends_; // an eventfd, written to when the reading is to end
 	std::function<void()> wake_;
 
-	// Of the window's thread.
+	// Only the window's thread uses these.
 	std::optional<Waiting> waiting_;
 	bool captures_ = false;
 	Moment told_;

@@ -28,11 +28,12 @@ namespace
 
 using Clock = std::chrono::steady_clock;
 
-// A software device draws the window on the cores that cut: more frames than the eye needs would cost cuts.
+// A software device draws the window on the same cores that cut, so more frames than the eye needs would slow down
+// cuts.
 constexpr double kSoftwareFrameRate = 50.0;
-// While a picture is under way, it brings the next frame. Where it takes long, the interface goes on at this pace.
+// A picture that is under way triggers the next frame. If it takes long, the interface continues at this pace.
 constexpr double kSoftwareWaitsFor = 0.035;
-// Nothing moves: the window is drawn now and then for what tells the time.
+// While nothing moves, the window is still drawn at this pace, for texts that show a time.
 constexpr double kIdleSeconds = 0.25;
 constexpr std::chrono::milliseconds kStaysAwake{500};
 
@@ -42,7 +43,7 @@ struct InterfaceContext
 	{
 		IMGUI_CHECKVERSION();
 		ImGui::CreateContext();
-		ImGui::GetIO().IniFilename = nullptr; // the places of panels are fixed
+		ImGui::GetIO().IniFilename = nullptr; // panels have fixed places
 		ImGui::GetIO().ConfigDragClickToInputText = true;
 	}
 	~InterfaceContext() { ImGui::DestroyContext(); }
@@ -58,16 +59,16 @@ struct WindowBackend
 	WindowBackend& operator=(const WindowBackend&) = delete;
 };
 
-// What outlives a device that is lost.
+// Holds what outlives a lost device.
 struct Lasting
 {
 	interact::History<view::ViewSpec> history;
 	OpenParts parts;
 	std::optional<Script> commands;
 	Meter meter;
-	std::uint64_t frames = 0; // shown so far
-	std::string notice;       // what the user is told first
-	bool lost_files = false;  // a file that was to be written when the window closed is not there
+	std::uint64_t frames = 0; // frames shown so far
+	std::string notice;       // the first notice that the user sees
+	bool lost_files = false;  // a file that was under way when the window closed was not written
 	DeferredInterrupt interrupt;
 };
 
@@ -81,13 +82,13 @@ public:
 	Viewer(const Viewer&) = delete;
 	Viewer& operator=(const Viewer&) = delete;
 
-	// An error where the device draws no more; what was set is in `lasting`, and in the file for recovery.
+	// Returns an error if the device is lost. The state is then in `lasting`, and in the recovery file.
 	Status run();
 
 private:
 	void listen();
-	void heard();  // input came
-	void obey();   // --commands
+	void heard();  // notes that input came
+	void obey();   // carries out --commands
 	bool goesOn(); // false when the window is to close, and nothing is left to write
 	void tellUnsaved(const char* why);
 	Status showFrame();
@@ -109,8 +110,8 @@ private:
 	double scale_;
 	bool dark_;
 	ScenePart scene_;
-	Moment frame_begin_ = Clock::now(); // of the last frame
-	Moment last_frame_ = Clock::now();  // when it had been presented
+	Moment frame_begin_ = Clock::now(); // begin of the last frame
+	Moment last_frame_ = Clock::now();  // when the last frame had been presented
 	Moment last_event_ = Clock::now();
 	std::optional<Moment> awake_since_; // empty while nothing moves
 	std::shared_ptr<const PresentedFrame> drawn_;
@@ -191,7 +192,7 @@ bool Viewer::isAwake() const
 	return !document_.isIdle() || Clock::now() - last_event_ < kStaysAwake;
 }
 
-// After each look at what moves.
+// Call this after each check of what moves.
 void Viewer::noteWaking()
 {
 	if (!isAwake())
@@ -209,7 +210,8 @@ double Viewer::frameSeconds() const
 
 double Viewer::secondsToNextFrame() const
 {
-	// From begin to begin: where the device is slow, presenting a frame takes most of the time to the next one.
+	// The time counts from begin to begin, since on a slow device presenting a frame takes most of the time to the next
+	// one.
 	const double since = std::chrono::duration<double>(Clock::now() - frame_begin_).count();
 	return std::max(0.0, frameSeconds() - since);
 }
@@ -230,7 +232,7 @@ Status Viewer::followScale()
 	return Nothing{};
 }
 
-// Menus and questions go by the arrows too; else those turn the probe.
+// The arrow keys move through menus and questions. Otherwise they turn the probe.
 void Viewer::followKeyboard()
 {
 	ImGuiIO& io = ImGui::GetIO();
@@ -279,8 +281,8 @@ Status Viewer::showFrame()
 	return Nothing{};
 }
 
-// A wish to close comes from the window, from a key or a script, or from a signal. Files that are under way are written
-// first; a second wish does not wait for them.
+// A request to close comes from the window, from a key or a script, or from a signal. Files that are under way are
+// written first. A second request does not wait for them.
 bool Viewer::goesOn()
 {
 	const bool wished = document_.wantsToQuit();
@@ -291,7 +293,7 @@ bool Viewer::goesOn()
 	}
 	if (lasting_.interrupt.came() && !wished)
 	{
-		document_.keepState(); // nobody chose to end
+		document_.keepState(); // the user did not choose to end
 		document_.quit();
 	}
 	if (!document_.wantsToQuit())
@@ -307,7 +309,7 @@ bool Viewer::goesOn()
 
 void Viewer::tellUnsaved(const char* why)
 {
-	if (!lasting_.commands) // which has told them
+	if (!lasting_.commands) // the script has printed them
 		for (const std::string& line : document_.failures())
 			printLine(line);
 	const std::vector<std::string> files = document_.filesUnderWay();
@@ -326,7 +328,7 @@ Status Viewer::run()
 			obey();
 		if (lasting_.commands && document_.wantsToQuit())
 			lasting_.commands->tellErrors(document_);
-		// What was heard goes to the render thread at once; the window's next frame need not be waited for.
+		// Input goes to the render thread at once, without waiting for the window's next frame.
 		document_.update({static_cast<std::uint32_t>(scene_.size.x), static_cast<std::uint32_t>(scene_.size.y)});
 		noteWaking();
 		if (window_.minimized() || window_.pixels().width == 0)
@@ -357,10 +359,10 @@ Status Viewer::run()
 	return Nothing{};
 }
 
-// A device may be lost now and then. One that is lost so soon after it was opened is not tried a third time.
+// A device may be lost now and then. If it is lost twice within this time, another device is tried.
 constexpr std::chrono::seconds kLastsAtLeast{10};
 
-// Runs the window on a device. figures: of the device, once it has opened.
+// Runs the window on a device. figures: figures of the device, once it has opened.
 Status runOnDevice(Window& window, const ViewerOptions& options, const std::string& avoid, Lasting& lasting,
                    nlohmann::json& figures)
 {
@@ -427,7 +429,7 @@ Result<ExitCode> runViewer(const ViewerOptions& options)
 			const char* kept = "; what was set is kept: the next vprobe view brings it back";
 			return Error{ended.error().kind, ended.error().message + (lasting.frames > 0 ? kept : "")};
 		}
-		// A second time so soon: another device, if there is one.
+		// If a device was lost twice so soon, another one is tried.
 		avoid = soon ? std::string(figures["device"]) : std::string();
 		lost = Clock::now();
 		lasting.notice = ended.error().message;

@@ -13,8 +13,8 @@ struct ViewerOptions
 {
 	view::ViewSpec state;
 	ReadState read_state;
-	std::string stats;    // figures of how fast the window was, as JSON, when it closes; empty: none
-	std::string commands; // a file of commands that are carried out while it runs; empty: none
+	std::string stats;    // file for figures of the window's speed, written as JSON when it closes; empty: none
+	std::string commands; // file of commands that the window carries out; empty: none
 };
 
 // Opens the window and stays until it is closed.

@@ -12,7 +12,7 @@ namespace vp::app
 namespace
 {
 
-// Each once, though many blocks have it: those of points first.
+// Returns each array once, though many blocks have it. Arrays of points come first.
 std::vector<DatasetInfo::Array> arraysOf(const grid::BlockSet& blocks)
 {
 	std::vector<DatasetInfo::Array> arrays;

@@ -11,7 +11,7 @@ Result<std::shared_ptr<gpu::Image>> Pictures::take(gpu::Device& device, VkExtent
 	{ return image.extent().width == extent.width && image.extent().height == extent.height; };
 	std::erase_if(all_, [&](const auto& picture) { return picture.use_count() == 1 && !fits(*picture); });
 	for (const auto& picture : all_)
-		if (picture.use_count() == 1 && fits(*picture)) // one of another size may have come free just now
+		if (picture.use_count() == 1 && fits(*picture)) // an image of another size may have become free just now
 			return picture;
 	Result<gpu::Image> made =
 	    gpu::Image::create(device,

@@ -42,7 +42,7 @@ private:
 	std::shared_ptr<gpu::Device> device_;
 	std::function<void()> wake_;
 	std::unique_ptr<Job> job_;
-	std::vector<std::unique_ptr<Job>> cancelled_; // cancelled, but not at their end yet
+	std::vector<std::unique_ptr<Job>> cancelled_; // cancelled, but not finished yet
 };
 
 } // namespace vp::app

@@ -9,7 +9,7 @@ namespace vp::app
 namespace
 {
 
-// Cuts that follow each other later than this are not of one drag.
+// Two cuts that are further apart than this do not belong to one drag.
 constexpr double kPause = 500.0;
 
 double milliseconds(std::chrono::steady_clock::duration time)

@@ -50,7 +50,7 @@ public:
 	const Figure& cuts() const { return cuts_; }
 	const Figure& draws() const { return draws_; }
 	const Figure& answers() const { return answers_; } // from input to the picture that answers it
-	double cutsPerSecond() const;                      // of the last seconds in which there were any
+	double cutsPerSecond() const;                      // the rate in the last seconds in which there were cuts
 	nlohmann::json json() const;
 
 private:

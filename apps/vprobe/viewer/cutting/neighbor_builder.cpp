@@ -25,7 +25,7 @@ struct NeighborBuilder::Job
 			    {
 				    grid::buildNeighbors(*blocks);
 			    }
-			    catch (const std::exception&) // of memory, or of numbers for faces
+			    catch (const std::exception&) // out of memory, or too many faces to number
 			    {
 				    blocks =
 				        Error{ErrorKind::input, "the neighbors of the cells do not fit into memory; only sheets can "

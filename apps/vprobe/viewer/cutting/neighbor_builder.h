@@ -10,19 +10,21 @@
 namespace vp::app
 {
 
-/// Builds the neighbors of cells on a thread of its own, while cuts go on without them. Of one thread.
+/// Builds the neighbors of cells on a thread of its own, while cuts go on without them. Only one thread uses this
+/// object.
 class NeighborBuilder
 {
 public:
 	NeighborBuilder();
-	~NeighborBuilder(); // waits for what is under way
+	~NeighborBuilder(); // waits for the thread
 
-	/// Begins with a copy of the blocks, which shares their arrays. Nothing where one is under way, or has failed.
+	/// Begins to build for a copy of the blocks, which shares their arrays. Does nothing if a build is under way, or
+	/// has failed.
 	void begin(const grid::BlockSet& blocks);
-	/// The blocks are others now: what is under way is of no use any more.
+	/// Call this when the blocks have changed. Cancels a build that is under way.
 	void drop();
-	/// The blocks with neighbors, once. None where they are not ready yet or have failed. With `waits`, for which
-	/// begin() has been called, a failure is an error.
+	/// Returns the blocks with neighbors, once. Returns nothing if they are not ready yet, or if the build has failed.
+	/// With `waits`, call begin() first; then a failure is an error.
 	Result<std::optional<grid::BlockSet>> take(bool waits);
 
 private:
@@ -30,7 +32,7 @@ private:
 
 	std::unique_ptr<Job> job_;
 	std::optional<Error> failure_;
-	std::vector<std::unique_ptr<Job>> dropped_; // cancelled, but not at their end yet
+	std::vector<std::unique_ptr<Job>> dropped_; // cancelled, but not finished yet
 };
 
 } // namespace vp::app

@@ -13,8 +13,8 @@
 namespace vp::app
 {
 
-// What the sheets of a cut show at a place, with copies of all it takes: it may be asked on another thread than the
-// session's, and outlives that.
+// Finds what the sheets of a cut show at a place. It holds copies of everything that it needs, so another thread than
+// the session's may use it, and it may outlive the session.
 class SheetLookups
 {
 public:
@@ -22,12 +22,13 @@ public:
 
 	struct Found
 	{
-		std::string array; // name and component; empty where nothing is shown
-		double value;      // NaN where there is none
-		std::string block; // its name, or its number where there are several
-		std::size_t cell;  // as the file numbers it
+		std::string array; // name and component; empty if no array is shown
+		double value;      // NaN if there is no value
+		std::string block; // name of the block, or its number if it has no name; empty if there is only one
+		std::size_t cell;  // number in the file
 	};
-	// sheet: of the cut. content_uv: see interact::SheetHit. None where the grid is not cut.
+	// sheet: number of the sheet in the cut. content_uv: see interact::SheetHit. Returns nothing if the grid is not cut
+	// there.
 	std::optional<Found> at(std::size_t sheet, const glm::dvec2& content_uv) const;
 
 	const std::shared_ptr<const session::Frame>& cut() const { return cut_; }
@@ -37,14 +38,14 @@ private:
 	{
 		measure::SheetLookup lookup;
 		std::string array;
-		bool nearest; // ids and categories are those of the nearest vertex
+		bool nearest; // ids and categories are taken from the nearest vertex
 		std::vector<double> of_vertices;
 		std::vector<double> of_polygons;
-		std::vector<std::uint64_t> cells; // per polygon, the file's numbers
+		std::vector<std::uint64_t> cells; // per polygon, number in the file
 	};
 
 	std::shared_ptr<const session::Frame> cut_;
-	std::vector<std::optional<OfSheet>> sheets_; // none of what is no plane
+	std::vector<std::optional<OfSheet>> sheets_; // empty for a sheet that is not a plane
 	std::vector<std::string> blocks_;            // names
 };
 

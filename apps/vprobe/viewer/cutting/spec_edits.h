@@ -9,11 +9,11 @@
 namespace vp::app
 {
 
-// A probe that was made of the settings, `before`, comes to be `after`: its place as settings, anything else as a probe
-// of its own.
+// Changes the settings, which made the probe `before`, so that they make `after`. A new place changes the settings of
+// the place. Any other change makes the probe one of its own (ProbeShape::own).
 void placeProbe(view::ProbeSpec& spec, const probe::Probe& before, const probe::Probe& after);
 
-// None where the look leaves it to be fitted.
+// Returns the camera of the look. Returns nothing if the camera is to be fitted.
 std::optional<render::Camera> cameraOf(const view::LookSpec& look);
 
 } // namespace vp::app

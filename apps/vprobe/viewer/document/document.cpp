@@ -105,7 +105,7 @@ void Document::takePicture()
 	shown_ = std::move(newest);
 	if (!takes_camera_ || shown_->wish.number != version_)
 		return;
-	// From now on the camera stands where it was fitted; undoing what came before does not bring the fitting back.
+	// From now on the camera stays where it was fitted. Undo does not bring the fitting back.
 	takes_camera_ = false;
 	view::ViewSpec fixed = state();
 	fixed.look.camera = render::fixedCamera(shown_->camera);
@@ -134,7 +134,7 @@ void Document::update(PixelSize size)
 
 void Document::quit()
 {
-	constexpr std::chrono::milliseconds kKeyRepeats{500}; // a key that is held asks many times
+	constexpr std::chrono::milliseconds kKeyRepeats{500}; // a key that is held down asks many times
 	const Moment now = std::chrono::steady_clock::now();
 	if (quits_ == 0)
 		first_quit_ = now;
@@ -174,7 +174,7 @@ void Document::ask(PixelSize size)
 	render_thread_.ask(std::move(next));
 }
 
-// What the state is to look like, in the size that was last asked for.
+// Returns a request for a picture of the state, in the size that was last asked for.
 FrameRequest Document::frameRequest() const
 {
 	FrameRequest wish{version_, state(), input_.value_or(std::chrono::steady_clock::now())};
@@ -185,7 +185,7 @@ FrameRequest Document::frameRequest() const
 
 bool Document::isIdle() const
 {
-	// A picture that cannot be made leaves the one before it.
+	// If a picture cannot be made, the picture before it stays.
 	return !loader_.isBusy() && !playback_.isPlaying() && !playback_.recording() && jobs_.isIdle() &&
 	       (!facts_ || (asked_ == version_ && render_thread_.isIdle() && shown_ == render_thread_.shown()));
 }

@@ -63,8 +63,8 @@ using ReadState = std::function<Result<view::ViewSpec>(const std::string& file)>
 class Document
 {
 public:
-	// history: of a document before, on a device that was lost, or a first state. read_state: reads a state file that
-	// --save or the window has written.
+	// history: the history of the previous document, whose device was lost, or a first state. read_state: reads a state
+	// file that --save or the window has written.
 	Document(interact::History<view::ViewSpec> history, std::shared_ptr<gpu::Device> device, std::function<void()> wake,
 	         ReadState read_state);
 	~Document();
@@ -84,7 +84,7 @@ public:
 	std::size_t sheet() const { return sheet_; } // the chosen sheet, which keys and panels change
 	void chooseSheet(std::size_t sheet);
 	void setCamera(const std::string& label, const render::Camera& camera, const std::string& merge = {});
-	std::optional<interact::View> view() const; // of the last picture
+	std::optional<interact::View> view() const; // the view of the last picture
 
 	void perform(interact::Action action);
 
@@ -138,14 +138,14 @@ public:
 	void dismiss(const std::string& words) { notices_.dismiss(words); }
 	// Keeps the state for recovery when the document ends, because it ends by a fault.
 	void keepState();
-	// The history, as another document is to take it up. What is being loaded is its last step.
+	// Returns the history for the next document. Its last step is the state that is being loaded.
 	interact::History<view::ViewSpec> historyToKeep() const;
 	const std::optional<Error>& lostDevice() const { return lost_device_; } // the device draws no more
 	bool wantsToQuit() const { return quits_ > 0; }
-	bool wantsToQuitAtOnce() const { return quits_ > 1; } // it was asked for again, while files were under way
+	bool wantsToQuitAtOnce() const { return quits_ > 1; } // the user asked again while files were being written
 	void quit();
-	std::vector<std::string> filesUnderWay() const;                        // that are still to be written
-	const std::vector<std::string>& failures() const { return failures_; } // of writing, since it is to quit
+	std::vector<std::string> filesUnderWay() const;                        // files that are still to be written
+	const std::vector<std::string>& failures() const { return failures_; } // failed writes since quit()
 
 private:
 	void stateChanged();
@@ -172,11 +172,11 @@ private:
 	std::size_t sheet_ = 0;
 	std::optional<DatasetInfo> facts_;
 	std::optional<view::ViewSpec> loading_; // the state for the data that are being loaded
-	bool loads_own_data_ = false;           // the data of state(), which may change meanwhile
+	bool loads_own_data_ = false;           // loads the data of state(), which may change meanwhile
 	std::shared_ptr<const PresentedFrame> shown_;
 	NoticeList notices_;
 	std::optional<Error> lost_device_;
-	int quits_ = 0; // how often it was asked for
+	int quits_ = 0; // how often the user asked to quit
 	Moment first_quit_{};
 	std::vector<std::string> failures_;
 

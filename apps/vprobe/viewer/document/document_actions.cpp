@@ -202,7 +202,7 @@ bool Document::performOnLook(Action action)
 	}
 }
 
-// Without a name the first array is shown.
+// If the state names no array, the first one is shown.
 const DatasetInfo::Array* Document::shownArray() const
 {
 	if (!facts_ || facts_->arrays.empty())
@@ -244,7 +244,7 @@ void Document::showTime(int step, const std::string& merge)
 	    "Time", [&](view::ViewSpec& state) { state.input.time = read::timeAt(static_cast<std::size_t>(step)); }, merge);
 }
 
-// Of the input's times, the one that is shown.
+// Returns the index of the shown time among those of the input.
 int Document::timeStep() const
 {
 	if (!facts_ || facts_->times.empty())

@@ -31,7 +31,7 @@ void Document::open(std::vector<std::string> inputs)
 		state_file_ = inputs[0];
 		return load(std::move(*read));
 	}
-	// What belongs to other data goes: places, arrays, times. How it is looked at stays.
+	// Settings that belong to the old data are reset: places, arrays, times. Other settings of the look stay.
 	view::ViewSpec next = state();
 	next.probe = {};
 	next.input = {};
@@ -75,10 +75,11 @@ void Document::takeLoaded()
 	const bool again = facts_ && facts_->inputs == next.input.files;
 	facts_ = factsOf(*session, next.input.files);
 	watcher_.watch(next.input.files);
-	// Read again, it is looked at as it is by now.
+	// Data that were read again keep the current state.
 	if (again)
 		notify(fmt::format("{} was read again", fmt::join(next.input.files, ", ")));
-	else if (!loads_own_data_) // those of the first state, or of one that has outlived its device: it goes on
+	else if (!loads_own_data_) // own data belong to the first state, or to one whose device was lost: its history
+	                           // continues
 		history_ = interact::History<view::ViewSpec>(std::move(next));
 	sheet_ = 0;
 	playback_.forgetFilm();
@@ -172,7 +173,7 @@ interact::History<view::ViewSpec> Document::historyToKeep() const
 	return kept;
 }
 
-// Every few seconds in which anything changed: what a crash would lose.
+// Saves the state every few seconds if anything changed, since a crash would lose it.
 void Document::keepForRecovery()
 {
 	const Moment now = std::chrono::steady_clock::now();

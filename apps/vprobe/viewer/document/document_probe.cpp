@@ -150,7 +150,8 @@ bool Document::performOnSheets(Action action)
 	{
 		if (next.sheets.size() >= probe::kMaxSheets)
 			return notify(fmt::format("A probe has at most {} sheets", probe::kMaxSheets), true), true;
-		// At right angles to the one that is chosen, through the same place: that is what it cannot show itself.
+		// The new sheet is perpendicular to the chosen one and passes through the same place, so it shows what the
+		// chosen one cannot show.
 		probe::Sheet added = sheet;
 		static_cast<probe::Frame&>(added) = probe::turned(sheet, sheet.origin, sheet.up, 90.0);
 		added.wishes.hidden = false;

@@ -11,11 +11,11 @@
 namespace vp::app
 {
 
-// The pictures of a sweep, kept to be played again at full rate and saved. Thread safe.
+// Keeps the pictures of a sweep, to play them again at full rate and to save them. Thread safe.
 class FilmLoop
 {
 public:
-	// Of all its pictures together: some 280 of 1280 x 720.
+	// Limit for all pictures together: some 280 pictures of 1280 x 720 pixels.
 	static constexpr std::size_t kMaxBytes = std::size_t(1) << 30;
 	static std::size_t bytesOf(int frames, std::uint32_t width, std::uint32_t height)
 	{

@@ -16,7 +16,7 @@ struct Document::Mail
 {
 	std::mutex mutex;
 	std::vector<Notice> notices;
-	std::vector<std::string> files; // that the render thread is to write, and those that are not told of yet
+	std::vector<std::string> files; // files that are under way, or whose notice is not taken yet
 	std::vector<std::string> ended;
 
 	void expect(const std::string& file)
@@ -24,14 +24,14 @@ struct Document::Mail
 		const std::lock_guard lock(mutex);
 		files.push_back(file);
 	}
-	// What became of a file that was expected.
+	// Leaves the outcome of a file that was expected.
 	void leave(const std::string& file, Notice notice)
 	{
 		const std::lock_guard lock(mutex);
 		ended.push_back(file);
 		notices.push_back(std::move(notice));
 	}
-	// All that was left. The mutex is held.
+	// Takes all notices that were left. The caller holds the mutex.
 	std::vector<Notice> take()
 	{
 		for (const std::string& file : std::exchange(ended, {}))

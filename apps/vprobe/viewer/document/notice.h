@@ -8,7 +8,7 @@
 namespace vp::app
 {
 
-// A line for the user, shown for a while.
+// A line of text that the user sees for a while.
 struct Notice
 {
 	std::string words;

@@ -19,7 +19,7 @@ using interact::Action;
 
 constexpr const char* kSweepKey = "sweep";
 constexpr double kSpeedFactor = 1.25;
-// Frames that the render thread has in hand: one drawn, one waiting.
+// Number of frames that the render thread holds: it draws one, and one waits.
 constexpr int kOrdered = 2;
 
 bool sameButPlace(const FrameRequest& a, const FrameRequest& b)
@@ -46,14 +46,14 @@ Status writeFilm(const FilmLoop& film, const std::string& file, double per_secon
 
 } // namespace
 
-// What the render thread leaves. It outlives the playback where that thread is slower.
+// Holds messages from the render thread. It outlives the playback if that thread is slower.
 struct Playback::Mail
 {
 	std::mutex mutex;
 	std::optional<Error> failed;
 	std::shared_ptr<Exposure> exposure;
 
-	// A recorded frame. Only the render thread adds to the exposure.
+	// Takes a recorded frame. Only the render thread adds to the exposure.
 	void leave(Result<render::Picture> picture, int frame, FilmLoop& film)
 	{
 		std::shared_ptr<Exposure> exposed;
@@ -100,7 +100,7 @@ Status Playback::followSweep()
 	return path_.follow(document_.state(), *document_.facts(), seconds());
 }
 
-// False, with a notice, where the path cannot be gone.
+// Returns false, with a notice, if the probe cannot follow the path.
 bool Playback::canSweep()
 {
 	const Status followed = followSweep();
@@ -112,12 +112,12 @@ bool Playback::canSweep()
 	return bool(followed);
 }
 
-// The frame of this moment becomes the state's; a film loop is shown without cutting.
+// Moves the state to the current frame. If a film loop is shown instead, nothing is cut.
 void Playback::play()
 {
 	if (!isPlaying())
 	{
-		// So that it is known how many frames there are; what is wrong with the path is told when it is played.
+		// This finds the number of frames. An error in the path is reported when the sweep is played.
 		[[maybe_unused]] const Status followed = followSweep();
 		return;
 	}
@@ -266,7 +266,7 @@ void Playback::orderFrames()
 	                             FilmLoop::bytesOf(film_->frames(), size->width, size->height) >> 20));
 }
 
-// Whether the film loop shows what the sweep would.
+// Returns true if the film loop shows what the sweep would show.
 bool Playback::filmIsGood() const
 {
 	if (!film_ || film_->frames() != frames())

@@ -16,7 +16,7 @@ Status SweepPlayer::follow(const view::ViewSpec& state, const DatasetInfo& facts
 {
 	if (start_ && state.sweep == start_->sweep && isPlaced(state))
 	{
-		// It stands where this sweep has put it; what else was changed holds from now on.
+		// The probe stands where this sweep has put it. Other changes apply from now on.
 		view::ViewSpec start = state;
 		takePlace(start.probe, start_->probe);
 		if (over_times_)

@@ -11,16 +11,16 @@
 namespace vp::app
 {
 
-// The probe's path, as a window plays it: which state belongs to which frame. Of the window's thread.
+// Follows the probe's path as a window plays it: it finds the state for each frame. Only the window's thread uses it.
 class SweepPlayer
 {
 public:
-	static constexpr int kFrames = 100; // of a path that does not say how many it has
+	static constexpr int kFrames = 100; // number of frames if the path does not say it
 
-	// Takes the path and the place from which it starts, unless the state is one that this sweep has made. An error
-	// where the path cannot be gone.
+	// Takes the path and its starting place from the state, unless this sweep has made the state. Returns an error if
+	// the probe cannot follow the path.
 	Status follow(const view::ViewSpec& state, const DatasetInfo& facts, double now);
-	// The state in a frame.
+	// Returns the state in a frame.
 	view::ViewSpec at(int frame, const view::ViewSpec& state);
 
 	interact::Player player{1};
@@ -31,7 +31,7 @@ private:
 	bool over_times_ = false;
 	std::vector<probe::Frame> poses_;
 	std::optional<view::ViewSpec> start_;
-	std::optional<view::ViewSpec> placed_; // by the last at(); there where start_ is
+	std::optional<view::ViewSpec> placed_; // made by the last at(); set if start_ is set
 	Box bounds_;
 };
 

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 constexpr const char* kRecovery = "recovery-";
 constexpr const char* kEnding = ".json";
 
-// variable: of the XDG base directories; usual: where it lies below the home folder where that is not set.
+// variable: names one of the XDG base directories. usual: its place below the home folder if the variable is not set.
 fs::path folder(const char* variable, const char* usual)
 {
 	const char* set = std::getenv(variable);
@@ -37,7 +37,7 @@ fs::path folder(const char* variable, const char* usual)
 	return home && *home == '/' ? fs::path(home) / usual / "volume-probes" : fs::path();
 }
 
-// Made where it is not there; empty where it cannot be.
+// Creates the folder if it does not exist. Returns an empty path if that fails.
 fs::path madeFolder(const fs::path& wanted)
 {
 	std::error_code failed;
@@ -51,7 +51,7 @@ fs::path settingsFile()
 	return folder("XDG_CONFIG_HOME", ".config") / "view.json";
 }
 
-// Whose file it is; none of other files.
+// Returns the process to which a recovery file belongs. Returns nothing for other files.
 std::optional<pid_t> processOf(const fs::path& file)
 {
 	const std::string name = file.filename();

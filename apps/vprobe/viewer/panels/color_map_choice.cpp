@@ -12,7 +12,7 @@ namespace vp::app
 namespace
 {
 
-// A file's name without its folder.
+// Returns a file's name without its folder.
 std::string shortName(const std::string& word)
 {
 	return word.find(".json") == std::string::npos ? word : std::filesystem::path(word).filename().string();

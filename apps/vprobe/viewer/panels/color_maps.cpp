@@ -11,7 +11,7 @@ namespace vp::app
 namespace
 {
 
-constexpr int kSteps = 32; // of a gradient
+constexpr int kSteps = 32; // steps of a gradient
 constexpr std::string_view kReverse = "_r";
 
 ImU32 inked(const render::Color& color)

@@ -8,10 +8,10 @@
 namespace vp::app
 {
 
-// The map of a --colormap word, read once; null where it cannot be had.
+// Returns the map of a --colormap word, which is read only once. Returns null if there is no such map.
 const render::ColorMap* colorMapOf(const std::string& word);
 
-// A word with or without _r behind it.
+// These functions ask for the _r at the end of a word, and add or remove it.
 bool isReversed(const std::string& word);
 std::string otherWay(const std::string& word);
 

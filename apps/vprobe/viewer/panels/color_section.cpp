@@ -13,7 +13,7 @@ namespace
 
 using interact::Action;
 
-constexpr int kMaxLines = 40; // that a slider offers
+constexpr int kMaxLines = 40; // maximum of the slider
 
 std::string titleOf(const DatasetInfo::Array& array)
 {

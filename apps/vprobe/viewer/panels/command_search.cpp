@@ -14,7 +14,7 @@ namespace
 using interact::Action;
 using interact::Binding;
 
-// What can be done now and has the text in its name, in the order of the menus.
+// Returns the commands that are possible now and have the text in their names, in the order of the menus.
 std::vector<const Binding*> matchingCommands(const Document& document, std::string_view wanted)
 {
 	std::vector<const Binding*> found;

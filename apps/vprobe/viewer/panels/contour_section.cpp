@@ -27,7 +27,7 @@ void showFollowing(Desk& desk)
 	tip("It stays, as a contour of every sheet, and is saved with the state");
 }
 
-// A button each, which takes it away.
+// Shows a button for each kept contour. The button takes the contour away.
 void showKept(Desk& desk)
 {
 	const view::ContourSpec& contour = desk.document.state().look.contour;
@@ -86,7 +86,7 @@ void showContourSection(Desk& desk)
 	showContourOpacity(desk);
 }
 
-// Beside the sheets the last value stays, so that a hand on the panel sees what it sets.
+// If the pointer leaves the sheets, the last value stays, so that the user sees what the panel changes.
 void followPointer(Desk& desk)
 {
 	if (!desk.document.parts.contour)

@@ -12,7 +12,7 @@ struct CutFigures
 {
 	std::size_t cut_cells = 0;
 	std::size_t touched = 0;     // cells queued or given a polygon
-	std::size_t generations = 0; // 0 where all cells were found at once
+	std::size_t generations = 0; // 0 if all cells were found at once
 	std::size_t front_max = 0;
 	std::size_t polygons = 0;
 };

@@ -32,7 +32,7 @@ void showGridFacts(const DatasetInfo& facts)
 
 } // namespace
 
-// How much is still to be read nobody knows beforehand: a part of the bar that wanders.
+// Nobody knows beforehand how much is still to be read, so the bar shows a part that wanders.
 void showLoading(Desk& desk)
 {
 	const Loader& loader = desk.document.loader();

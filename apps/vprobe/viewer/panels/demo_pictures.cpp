@@ -17,7 +17,7 @@ namespace
 {
 
 constexpr ImU32 kEdge = IM_COL32(0, 0, 0, 50);
-constexpr int kCells = 10; // each way: what a hundred pixels can show
+constexpr int kCells = 10; // cells each way: as many as a hundred pixels can show
 
 // Looks from above and one side, without perspective.
 class Projection
@@ -41,7 +41,7 @@ private:
 	double radius_;
 };
 
-// Puts all into 0 to 1, as large as it goes.
+// Scales everything into 0 to 1, as large as possible.
 void fit(DemoPicture& picture)
 {
 	ImVec2 lo{1.0f, 1.0f};
@@ -67,7 +67,7 @@ void fit(DemoPicture& picture)
 	    });
 }
 
-// A sheet's polygons, with their depth behind them.
+// Adds a sheet's polygons to the picture, and their depths to `depths`.
 void addSheet(DemoPicture& picture, std::vector<double>& depths, const Projection& projection,
               const mesh::SheetMesh& mesh, const std::vector<double>& values)
 {
@@ -148,7 +148,7 @@ void DemoPicture::draw(ImDrawList& list, const ImVec2& lo, const ImVec2& size) c
 		for (int i = 1; i + 1 < corners; ++i)
 			for (const int corner : {0, i, i + 1})
 				list.PrimWriteIdx(static_cast<ImDrawIdx>(base + corner));
-		// The edges tell hexahedra from tetrahedra.
+		// The edges show whether cells are hexahedra or tetrahedra.
 		for (int i = 0; i < corners; ++i)
 			list.AddLine(placed(this->corners[polygon.first + static_cast<std::uint32_t>(i)]),
 			             placed(this->corners[polygon.first + static_cast<std::uint32_t>((i + 1) % corners)]), kEdge);

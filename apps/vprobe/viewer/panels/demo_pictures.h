@@ -10,12 +10,12 @@
 namespace vp::app
 {
 
-// A built-in data set as a small picture: its box, and three sheets through its middle. Places are in 0 to 1, y down.
+// A small picture of a built-in data set: its box, and three sheets through its middle. Coordinates are 0 to 1, y down.
 struct DemoPicture
 {
 	struct Polygon
 	{
-		std::uint32_t first; // of its corners
+		std::uint32_t first; // index of its first corner
 		std::uint32_t count;
 	};
 	std::vector<std::array<ImVec2, 2>> box;
@@ -26,7 +26,7 @@ struct DemoPicture
 	void draw(ImDrawList& list, const ImVec2& lo, const ImVec2& size) const;
 };
 
-// Cuts a small data set of that kind, which takes some milliseconds. Empty where it cannot be cut.
+// Cuts a small data set of that kind, which takes some milliseconds. Returns an empty picture if it cannot be cut.
 DemoPicture makeDemoPicture(std::string_view name);
 
 } // namespace vp::app

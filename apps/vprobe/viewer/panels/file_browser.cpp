@@ -56,7 +56,7 @@ bool FileBrowser::fits(const std::string& name) const
 	                           [&](const std::string& ending) { return lower(name).ends_with(lower(ending)); });
 }
 
-// Folders first; what begins with a dot is hidden.
+// Lists folders first. Names that begin with a dot are left out.
 void FileBrowser::list()
 {
 	entries_.clear();
@@ -104,7 +104,7 @@ void FileBrowser::showPlace()
 	tip("Shows files with other endings too");
 }
 
-// True where it is to be taken at once.
+// Returns true if the user takes this entry at once.
 bool FileBrowser::choose(const Entry& entry, bool twice)
 {
 	if (!entry.is_folder)
@@ -135,7 +135,7 @@ bool FileBrowser::showEntries(float height)
 		    ImGui::Selectable(label.c_str(), entry.name == name_,
 		                      ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_DontClosePopups |
 		                          ImGuiSelectableFlags_AllowDoubleClick);
-		// By the keyboard once is enough.
+		// With the keyboard, one press is enough.
 		const bool by_key = clicked && !ImGui::IsMouseClicked(0) && !ImGui::IsMouseReleased(0);
 		if (clicked)
 			chosen = choose(entry, by_key || ImGui::IsMouseDoubleClicked(0)) || chosen;

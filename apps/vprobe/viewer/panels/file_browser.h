@@ -8,18 +8,19 @@
 namespace vp::app
 {
 
-// A folder's files, of which one is chosen, or a name for a new one. Drawn within a window of ImGui's; what is drawn
-// can be gone through by the keyboard.
+// Shows the files of a folder. The user chooses one, or types a name for a new one. It is drawn within a window of
+// ImGui, and works with the keyboard too.
 class FileBrowser
 {
 public:
-	// endings: with their dots; files with others are left out unless the user wants all. name: offered for a new file.
+	// endings: file endings with their dots. Other files are left out unless the user wants all. name: a suggestion for
+	// a new file.
 	void begin(std::filesystem::path folder, std::vector<std::string> endings, std::string name);
 
-	// True where a file was chosen, by Enter or twice clicking. height: of the list.
+	// Returns true if the user chose a file, by Enter or a double click. height: the height of the list.
 	bool show(float height);
 
-	// What the name field says, in the folder; empty where it says nothing.
+	// Returns the path of the file in the name field. Empty if the field is empty.
 	std::string path() const;
 	bool exists() const;
 	const std::filesystem::path& folder() const { return folder_; }
@@ -42,7 +43,7 @@ private:
 	std::filesystem::path folder_;
 	std::vector<std::string> endings_;
 	std::string name_;
-	std::string place_; // as it is typed
+	std::string place_; // the folder as it is typed
 	std::string complaint_;
 	std::vector<Entry> entries_;
 	bool all_ = false;

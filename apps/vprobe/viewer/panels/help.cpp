@@ -17,7 +17,7 @@ struct HandWords
 	const char* does;
 };
 
-// What the mouse does, beside the keys.
+// The help lists what the mouse does, beside the keys.
 constexpr std::array kHand{
     HandWords{"Drag a sheet", "Move it along its normal"},
     HandWords{"Drag an arrow, a ring", "Move, or turn, the probe"},

@@ -10,7 +10,7 @@ namespace
 
 using interact::Binding;
 
-// All actions of a group, each once, in the order of the list.
+// Shows all actions of a group, each once, in the order of the list.
 void groupItems(Desk& desk, std::string_view group)
 {
 	std::optional<interact::Action> last;

@@ -11,10 +11,10 @@ namespace
 {
 
 constexpr double kWidest = 460.0;
-constexpr double kMin = 120.0;  // of the scene's width
-constexpr std::size_t kMax = 4; // at once, the newest
+constexpr double kMin = 120.0;  // smallest width
+constexpr std::size_t kMax = 4; // notices at once, the newest ones
 
-// Gives the height that it takes.
+// Returns the height of the notice.
 float showNotice(Desk& desk, const Notice& notice, const ImVec2& lower_left, float width)
 {
 	const Theme& colors = theme(desk.document.settings.dark);

@@ -14,19 +14,19 @@ struct Desk
 	Document& document;
 	PointerController& hand;
 	const Meter& meter;
-	double scale; // of the screen
+	double scale; // the screen's scale
 };
 
 // Each draws one part of the user interface, with ImGui, from the document's state and into it.
 
-// Where in the scene's part the pane of a sheet seen straight on lies.
+// Returns the place of the pane in the scene, which shows a sheet seen straight on.
 ScenePart paneOf(const ScenePart& scene, double scale);
 
 ScenePart showPanels(Desk& desk); // draws all panels, and returns the part of the window that is left for the scene
 void showMenu(Desk& desk);
 void showSidePanel(Desk& desk, const ScenePart& room);
 void showStatusLine(Desk& desk, const ScenePart& room);
-void showScene(Desk& desk, const ScenePart& part); // handles, what is under the pointer
+void showScene(Desk& desk, const ScenePart& part); // draws handles, and what is under the pointer
 void followPointer(Desk& desk);                    // moves the contour that follows the pointer
 void showPlanePane(Desk& desk, const ScenePart& part);
 void showNotices(Desk& desk, const ScenePart& part);

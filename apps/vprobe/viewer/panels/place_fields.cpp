@@ -20,7 +20,7 @@ namespace
 using interact::Action;
 
 constexpr double kDirectionSpeed = 0.005;
-constexpr double kFirstWindow = 0.5; // of the data's size, when one is switched on
+constexpr double kFirstWindow = 0.5; // part of the data's size, when a window is switched on
 constexpr double kMinDirection = 1e-6;
 
 struct Place
@@ -46,7 +46,7 @@ void showOrigin(Desk& desk, const Place& place)
 	probe::Frame frame = place.frame;
 	const Vec3& at = frame.origin;
 	const double farthest = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)});
-	// The number is rounded to what is shown.
+	// ImGui rounds the number to the digits that it shows.
 	const std::string format = fmt::format("%.{}g", digitsFor(farthest, 0.1 * lengthSpeed(desk), 5));
 	if (dragNumbers(desk, {.id = "##origin", .speed = lengthSpeed(desk), .format = format.c_str()}, &frame.origin.x, 3,
 	                "x, y and z of the origin. Drag, or click and type"))

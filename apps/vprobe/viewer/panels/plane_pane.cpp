@@ -12,7 +12,7 @@ namespace vp::app
 namespace
 {
 
-constexpr double kPartOfScene = 0.36; // its width
+constexpr double kPartOfScene = 0.36; // the pane's width
 constexpr double kMinPaneWidth = 180.0;
 constexpr double kMaxWidth = 420.0;
 constexpr double kAspect = 0.75;
@@ -45,7 +45,7 @@ ScenePart paneOf(const ScenePart& scene, double scale)
 	    {width, height}};
 }
 
-// The picture lies below: what is drawn here is a frame around it, which keeps the hand from what is behind.
+// The picture lies below. This draws a frame around it, and keeps the pointer from what is behind the pane.
 void showPlanePane(Desk& desk, const ScenePart& part)
 {
 	const ScenePart pane = paneOf(part, desk.scale);
@@ -63,7 +63,7 @@ void showPlanePane(Desk& desk, const ScenePart& part)
 	                 ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoBringToFrontOnFocus |
 	                 ImGuiWindowFlags_NoFocusOnAppearing);
 	ImDrawList& list = *ImGui::GetWindowDrawList();
-	list.PushClipRect(asImVec(pane.lo), asImVec(pane.lo + pane.size)); // padding and all
+	list.PushClipRect(asImVec(pane.lo), asImVec(pane.lo + pane.size)); // the padding too
 	list.AddRect(asImVec(pane.lo), asImVec(pane.lo + pane.size), ImGui::GetColorU32(ImGuiCol_TextDisabled), 0.0f, 0,
 	             static_cast<float>(desk.scale));
 	list.PopClipRect();

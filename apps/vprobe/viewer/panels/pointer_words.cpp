@@ -15,9 +15,9 @@ namespace vp::app
 namespace
 {
 
-constexpr double kDigits = 1e-5; // of the data's size are told
+constexpr double kDigits = 1e-5; // smallest step that is shown, as a part of the data's size
 
-// The sheets of a cut are those of the probe that are not hidden.
+// Returns a sheet's number in the cut, which has those sheets of the probe that are not hidden.
 std::size_t sheetOfCut(const probe::Probe& probe, std::size_t sheet)
 {
 	const auto end = probe.sheets.begin() + static_cast<std::ptrdiff_t>(sheet);
@@ -64,7 +64,7 @@ std::optional<Pointed> pointedAt(const Desk& desk)
 	{
 		if (!shown->lookups)
 			return Pointed{hit, std::nullopt};
-		// Where the grid is not cut, what lies behind is seen.
+		// Where this sheet does not cut the grid, the user sees the sheet behind it.
 		if (auto found = shown->lookups->at(sheetOfCut(shown->probe, hit.sheet), hit.content_uv))
 			return Pointed{hit, std::move(found)};
 	}

@@ -16,7 +16,7 @@ namespace
 
 using interact::Action;
 
-constexpr float kMaxRows = 6.0f; // of sheets; more are scrolled to
+constexpr float kMaxRows = 6.0f; // rows of sheets; the list scrolls to more
 constexpr std::array kPresets{Action::preset_single, Action::preset_trihedral, Action::preset_paddlewheel,
                               Action::preset_stack};
 constexpr std::array kPresetNames{"Single", "Trihedral", "Paddlewheel", "Stack"};
@@ -64,7 +64,7 @@ void showCounts(Desk& desk)
 		               &view::ProbeSpec::sheets);
 }
 
-// An eye, open or closed. True where it was clicked.
+// Shows an eye, open or closed. Returns true if it was clicked.
 bool eyeButton(const char* id, bool open)
 {
 	const float height = ImGui::GetFrameHeight();
@@ -94,7 +94,7 @@ std::string nameOf(const Document& document, const probe::Probe& probe, std::siz
 	std::string name = fmt::format("Sheet {}", sheet + 1);
 	if (array)
 		name += fmt::format("  {}", *array);
-	// Figures of the picture are of the sheets that it shows.
+	// The picture has figures only for the sheets that it shows.
 	std::size_t visible = 0;
 	for (std::size_t i = 0; i < sheet; ++i)
 		visible += !probe.sheets[i].wishes.hidden;

@@ -30,7 +30,7 @@ constexpr std::array kRows{
     Row{"Answer", "From a move of the hand to the picture that answers it", &Meter::answers},
 };
 
-// The last values as bars, up to the highest of them.
+// Draws the last values as bars, scaled to the highest value.
 void drawGraph(const Figure& figure, ImU32 color, float height)
 {
 	const std::vector<float> history = figure.history();

@@ -16,14 +16,14 @@ namespace vp::app
 namespace
 {
 
-// What a question for a file says, and takes.
+// A question for a file: its texts, and which files it takes.
 struct FileQuestion
 {
 	Question question;
 	const char* title;
 	const char* button;
-	const char* endings; // with blanks between; null: those that can be read
-	const char* name;    // offered
+	const char* endings; // endings with blanks between; null: those of all inputs
+	const char* name;    // suggested file name
 	const char* words;   // what its answer does
 };
 
@@ -41,12 +41,12 @@ constexpr std::array kFileQuestions{
                  "Where the time of the last minute went, for ui.perfetto.dev or chrome://tracing"},
 };
 
-// What is being answered. The user interface has one question at a time.
+// The answer so far to the current question. The user interface has one question at a time.
 struct Answer
 {
 	Question question = Question::none;
 	FileBrowser browser;
-	bool overwrites = false; // that is asked now
+	bool overwrites = false; // asks now whether to overwrite the file
 	int size[2] = {1280, 720};
 	std::filesystem::path folder = std::filesystem::current_path();
 };

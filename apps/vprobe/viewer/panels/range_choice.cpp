@@ -26,7 +26,7 @@ Ends endsOf(const view::LookSpec& look)
 	return look.range ? Ends::fixed : look.range_of == view::RangeOf::slice ? Ends::slice : Ends::data;
 }
 
-// What the picture's colors go from and to.
+// Returns the ends of the picture's color range.
 std::array<double, 2> shownEnds(const Document& document)
 {
 	const view::LookSpec& look = document.state().look;

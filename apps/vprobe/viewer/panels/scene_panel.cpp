@@ -18,7 +18,7 @@ ImU32 faded(ImU32 color, double alpha)
 	return (color & ~IM_COL32_A_MASK) | (a << IM_COL32_A_SHIFT);
 }
 
-// In the hand, or under the pointer where nothing of the user interface lies between.
+// Returns true if the handle is dragged, or is under the pointer with no part of the user interface between.
 bool isHeld(const interact::HandleShape& shape, const PointerController& hand)
 {
 	return hand.handle() == shape.handle && (hand.isBusy() || !ImGui::GetIO().WantCaptureMouse);
@@ -48,7 +48,7 @@ void drawShape(const interact::HandleShape& shape, const interact::View& view, I
 				list.AddLine(onScreen((*seen)[0], part), onScreen((*seen)[1], part), color, width);
 }
 
-// The scene without its pane, which handles would be drawn over: what is above it, and what is beside it.
+// Returns the parts of the scene above and beside its pane, so that handles are not drawn over the pane.
 std::vector<ScenePart> freeParts(const Desk& desk, const ScenePart& part)
 {
 	const auto& shown = desk.document.shown();
@@ -60,7 +60,7 @@ std::vector<ScenePart> freeParts(const Desk& desk, const ScenePart& part)
 	return {{part.lo, {part.size.x, pane.lo.y - part.lo.y}}, {{right, pane.lo.y}, {hi.x - right, hi.y - pane.lo.y}}};
 }
 
-// Where there is no picture yet.
+// Draws the scene before there is a picture.
 void showEmptyScene(Desk& desk, const ScenePart& part)
 {
 	ImDrawList& list = *ImGui::GetBackgroundDrawList();
@@ -77,7 +77,7 @@ void showEmptyScene(Desk& desk, const ScenePart& part)
 	ImGui::End();
 }
 
-// What lies under a pointer that rests.
+// Shows what lies under a pointer that rests.
 void showPointed(const Desk& desk)
 {
 	if (!pointerRests() || desk.hand.handle())
@@ -100,7 +100,7 @@ void showScene(Desk& desk, const ScenePart& part)
 	if (!view)
 		return showEmptyScene(desk, part);
 	const Theme& colors =
-	    theme(desk.document.state().look.background.dark()); // to be seen on the picture, whatever the panels' theme
+	    theme(desk.document.state().look.background.dark()); // has to be visible on the picture, not on the panels
 	ImDrawList& list = *ImGui::GetBackgroundDrawList();
 	const std::vector<interact::HandleShape> shapes = desk.hand.shapes();
 	for (const ScenePart& free : freeParts(desk, part))

@@ -14,8 +14,8 @@ enum class ShownWhen
 	vectors // the input has arrays of vectors
 };
 
-// The sections of the side panel, in order: X(heading, what the tooltip says, function, when it is there, unfolded at
-// first). Each function is in a file of its own, and is called where its heading is unfolded.
+// The sections of the side panel, in order: X(heading, tooltip, function, when it is shown, unfolded at first). Each
+// function is in a file of its own, and is called if its heading is unfolded.
 #define VP_SECTIONS(X)                                                                                                 \
 	X("Data", "What is loaded", showDataSection, always, true)                                                         \
 	X("Probe", "The sheets, where they stand, their windows", showProbeSection, loaded, true)                          \
@@ -32,9 +32,9 @@ enum class ShownWhen
 VP_SECTIONS(VP_DECLARE)
 #undef VP_DECLARE
 
-// Parts of sections.
-void showLoading(Desk& desk);     // what is being loaded, for how long, and Cancel
-void showPlaceFields(Desk& desk); // of the probe, or of one of its sheets
+// These functions show parts of sections.
+void showLoading(Desk& desk);     // shows what is being loaded, for how long, and a Cancel button
+void showPlaceFields(Desk& desk); // shows the place of the probe, or of one of its sheets
 void showColorMapChoice(Desk& desk);
 void showRangeChoice(Desk& desk);
 

@@ -14,7 +14,7 @@ namespace vp::app
 namespace
 {
 
-constexpr std::size_t kMaxShown = 6; // of the recent files
+constexpr std::size_t kMaxShown = 6; // number of recent files
 constexpr std::size_t kCardsALine = 3;
 
 void showHeading(const char* words)
@@ -38,7 +38,8 @@ void showRecentFiles(Desk& desk)
 	}
 }
 
-// Of each demo, made when the page first shows it; one a frame, so that the window answers meanwhile.
+// Returns the picture of a demo. It is made when the page first shows it, only one per frame, so that the window stays
+// responsive.
 const DemoPicture* pictureOf(const std::string& name)
 {
 	static std::map<std::string, DemoPicture> made;

@@ -29,7 +29,7 @@ constexpr std::array kPaths{
     PathName{"profile", "Tilting", "Planes of many slopes through the middle of the grid"},
     PathName{"times", "Through time", "The probe stands still, and the input's times go by"},
 };
-constexpr int kMaxFrames = 1000; // that a drag reaches; more can be typed
+constexpr int kMaxFrames = 1000; // maximum by dragging; the user can type more
 
 void showPath(Desk& desk)
 {

@@ -92,7 +92,7 @@ void makeFonts(double scale)
 	const auto file = render::fontFile();
 	ImFontConfig config;
 	config.FontDataOwnedByAtlas = false;
-	// Units, degrees and powers, arrows and the marks of playing.
+	// Letters for units, degrees and powers, arrows, and the symbols of playback.
 	static const ImWchar kLetters[] = {0x20,   0x24f,  0x370,  0x3ff,  0x2000, 0x2027, 0x2070, 0x209f, 0x2190, 0x21ff,
 	                                   0x2200, 0x22ff, 0x23e9, 0x23fa, 0x25a0, 0x25ff, 0x2700, 0x27bf, 0};
 	io.Fonts->AddFontFromMemoryTTF(const_cast<std::byte*>(file.data()), static_cast<int>(file.size()),

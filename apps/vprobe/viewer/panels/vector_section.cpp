@@ -13,7 +13,7 @@ namespace vp::app
 namespace
 {
 
-constexpr int kMaxAlong = 60; // points that a slider offers; an option takes more
+constexpr int kMaxAlong = 60; // maximum of the slider for points; the option takes more
 constexpr double kMaxSteps = 400.0;
 
 constexpr std::array kKinds{Choice{"none", "None"}, Choice{"tufts", "Tufts"}, Choice{"lines", "Lines"},
@@ -72,7 +72,7 @@ void showDensity(Desk& desk)
 	           [](view::ViewSpec& state, double jitter) { state.probe.vectors.jitter = jitter; });
 }
 
-// Without one of its own the step follows from the lattice and the fastest particle.
+// If the user sets no step, it follows from the lattice and the fastest particle.
 void showStep(Desk& desk)
 {
 	const view::VectorSpec& options = desk.document.state().probe.vectors;

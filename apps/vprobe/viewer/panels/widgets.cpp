@@ -14,10 +14,10 @@ namespace vp::app
 namespace
 {
 
-constexpr double kRestSeconds = 0.4;   // until a tip comes
-constexpr double kPixelsAcross = 1000; // that a drag goes through the data in
-constexpr float kTipLetters = 40.0f;   // a line
-constexpr float kLabelPart = 0.36f;    // of the line
+constexpr double kRestSeconds = 0.4;   // time until a tip appears
+constexpr double kPixelsAcross = 1000; // pixels of a drag across the whole data
+constexpr float kTipLetters = 40.0f;   // letters per line
+constexpr float kLabelPart = 0.36f;    // part of the line
 
 } // namespace
 
@@ -158,7 +158,7 @@ void clippedText(const std::string& text)
 	const float room = ImGui::GetContentRegionAvail().x;
 	if (ImGui::CalcTextSize(text.c_str()).x <= room)
 		return ImGui::TextUnformatted(text.c_str());
-	// The end says more of a path than its beginning.
+	// The end of a path says more than its beginning.
 	std::size_t from = 0;
 	std::string shown;
 	do

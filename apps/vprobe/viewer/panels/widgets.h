@@ -12,14 +12,14 @@ namespace vp::app
 
 // Controls for panels. Each has a tooltip, and each change is a step of the history.
 
-// A part of the window that stays where it is.
+// Begins a part of the window that stays where it is.
 void beginFixed(const char* name, const ScenePart& room, ImGuiWindowFlags more = 0);
 
 bool pointerRests(); // returns true if the pointer has been still for a moment
 
 // Shows a tooltip for the last control when the pointer rests on it.
 void tip(std::string_view words);
-std::string tipOf(interact::Action action); // what it does, and its keys: "Show the next array (A)"
+std::string tipOf(interact::Action action); // returns what the action does, and its keys: "Show the next array (A)"
 
 // A button with `label` that performs the action. Its tooltip is tipOf().
 bool actionButton(Desk& desk, interact::Action action, const char* label, float width = 0.0f);
@@ -30,14 +30,13 @@ bool isPossible(const Document& document, interact::Action action);
 // Returns the width of one of `count` controls that share the rest of the line.
 float shareOfLine(int count);
 
-// A label on the left, the control that follows on the right of the line.
+// Puts a label on the left of the line, and the next control on the right.
 void labeled(const char* label);
 
-// A check box that changes the state.
+// Shows a check box that changes the state.
 void toggle(Desk& desk, const char* label, bool now, std::string_view words, const Document::Edit& edit);
 
-// One of several words for an option, by names that a reader knows. The value may be none of them: then it is shown as
-// it is.
+// A word for an option, and the name that the user sees. A value that is none of these words is shown as it is.
 struct Choice
 {
 	const char* word;
@@ -58,13 +57,13 @@ struct Slide
 void showSlider(Desk& desk, const Slide& slide, double now, std::string_view words,
                 const std::function<void(view::ViewSpec& state, double value)>& set);
 
-// Numbers to be dragged, or typed after a click; `count` of them side by side. True while they change; when that ends,
-// so does the step of the history that they belong to.
+// Shows `count` numbers side by side. The user drags them, or types after a click. Returns true while they change. When
+// the change ends, so does its step of the history.
 struct Drag
 {
 	const char* id;
-	double speed;       // a pixel
-	double least = 0.0; // where it is below `most`
+	double speed;       // change per pixel
+	double least = 0.0; // both limits apply if least < most
 	double most = 0.0;
 	const char* format = "%.5g";
 	bool logarithmic = false;
@@ -80,7 +79,7 @@ void clippedText(const std::string& text);
 // Returns true if `text` contains `wanted`; upper and lower case are the same.
 bool containsText(std::string_view text, std::string_view wanted);
 
-// Whole numbers in groups of three: "16 777 216".
+// Returns a whole number in groups of three digits: "16 777 216".
 std::string grouped(std::size_t number);
 std::string bytes(double count); // "1.8 GiB"
 

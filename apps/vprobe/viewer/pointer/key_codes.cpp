@@ -56,7 +56,7 @@ std::optional<Key> namedKey(int key)
 	}
 }
 
-// On the keyboard's own layout.
+// Returns the key by the letter printed on it in the keyboard's own layout.
 std::optional<Key> printedKey(int key)
 {
 	const char* name = glfwGetKeyName(key, 0);
@@ -95,7 +95,7 @@ std::optional<Button> buttonOf(int button)
 
 interact::Modifiers modifiersOf(int key, bool down, int modifiers)
 {
-	// GLFW tells of a modifier's own key by the state before it.
+	// When a modifier's own key is pressed, GLFW reports the modifiers from before it.
 	const auto held = [&](int bit, int left, int right)
 	{ return key == left || key == right ? down : (modifiers & bit) != 0; };
 	interact::Modifiers keys;

@@ -9,12 +9,13 @@
 namespace vp::app
 {
 
-// GLFW's numbers as the words of interact/.
+// These functions convert GLFW's numbers to the types of interact/.
 
-std::optional<interact::Chord> chordOf(int key, int modifiers); // none for keys that mean nothing alone
+std::optional<interact::Chord> chordOf(int key, int modifiers); // returns nothing for keys that mean nothing alone
 std::optional<Button> buttonOf(int button);
 
-// What is held, once `key` is down or up: Shift is fine, Ctrl snaps, Alt means one sheet alone.
+// Returns the modifiers that are held, after `key` went down or up: Shift is fine, Ctrl snaps, Alt means one sheet
+// alone.
 interact::Modifiers modifiersOf(int key, bool down, int modifiers);
 
 } // namespace vp::app

@@ -13,7 +13,7 @@ namespace vp::app
 namespace
 {
 
-// What is typed right after Ctrl+K is for the search, also before it has the focus.
+// Text that is typed right after Ctrl+K belongs to the search, even before the search has the focus.
 bool isForInterface(const Document& document)
 {
 	return document.parts.command_search || ImGui::GetIO().WantTextInput ||
@@ -28,7 +28,7 @@ void Keyboard::press(int key, bool down, int modifiers)
 	if (!down)
 		return;
 	const auto chord = chordOf(key, modifiers);
-	// Also where a text is being typed.
+	// This works even while a text is being typed.
 	if (chord == interact::Chord{interact::Key::escape} && closeQuestion())
 		return;
 	if (chord && document_.parts.command_search && searches(chord->key))
@@ -64,7 +64,7 @@ bool Keyboard::searches(interact::Key key)
 	return true;
 }
 
-// What was left to be recovered wants an answer.
+// The question about a state to recover needs an answer, so Escape does not close it.
 bool Keyboard::closeQuestion()
 {
 	const bool asks = document_.question != Question::none && document_.question != Question::recover;

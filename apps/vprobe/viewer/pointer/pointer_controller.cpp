@@ -11,7 +11,7 @@ namespace vp::app
 namespace
 {
 
-constexpr double kZoomFactor = 1.15; // of a notch of the wheel
+constexpr double kZoomFactor = 1.15; // zoom per notch of the wheel
 constexpr const char* kDragKey = "drag";
 constexpr const char* kWheelKey = "wheel";
 
@@ -28,7 +28,7 @@ std::vector<interact::HandleShape> PointerController::shapes() const
 	return interact::handlesOf(document_.shown()->probe, *view, document_.facts()->bounds, options);
 }
 
-// Where the grid is cut there, the nearest sheet.
+// Returns the nearest sheet under the pixel.
 std::optional<interact::SheetHit> PointerController::sheetAt(const glm::dvec2& pixel) const
 {
 	const auto view = document_.view();
@@ -98,7 +98,7 @@ void PointerController::release(Button button)
 	look();
 }
 
-// Alt takes a sheet out of its probe, or a window's side with its opposite.
+// Alt moves one sheet alone. On a window's edge or corner, Alt moves the opposite side too.
 interact::Modifiers PointerController::keysFor(const interact::Drag& drag) const
 {
 	interact::Modifiers keys = keys_;

@@ -31,8 +31,8 @@ enum class Button
 	middle
 };
 
-// What the mouse does in the scene. On a handle, or on a sheet: it is moved, turned or sized. Elsewhere, and with the
-// other buttons: the camera. Positions are the window's.
+// Handles the mouse in the scene. On a handle or a sheet, it moves, turns or sizes that. Elsewhere, and with the other
+// buttons, it moves the camera. Positions are in the window.
 class PointerController
 {
 public:
@@ -45,21 +45,21 @@ public:
 	}
 
 	void moveTo(const glm::dvec2& at);
-	// within: nothing of the user interface lies there.
+	// within: no part of the user interface lies there.
 	void press(Button button, bool within);
 	void release(Button button);
 	void wheel(double amount, bool within);
 	void setKeys(const interact::Modifiers& keys) { keys_ = keys; }
 
 	bool isBusy() const { return !std::holds_alternative<std::monostate>(grip_); }
-	// What is under the pointer, by the picture that is shown.
+	// These return what is under the pointer in the picture that is shown.
 	const std::optional<interact::Handle>& handle() const { return handle_; }
 	const std::optional<interact::SheetHit>& sheet() const { return sheet_; }
 	glm::dvec2 at() const { return at_; }
 	const ScenePart& part() const { return part_; }
 	bool isInScene() const { return part_.holds(at_); }
-	glm::dvec2 inScene() const { return at_ - part_.lo; } // the pointer, in the scene's pixels
-	std::vector<interact::HandleShape> shapes() const;    // as they are to be drawn, in the world
+	glm::dvec2 inScene() const { return at_ - part_.lo; } // position of the pointer, in pixels of the scene
+	std::vector<interact::HandleShape> shapes() const;    // the shapes to draw, in world coordinates
 
 private:
 	struct CameraGrip
@@ -69,12 +69,12 @@ private:
 		bool pans;
 		Vec3 pivot;
 	};
-	struct LensGrip // what the magnifier shows is moved
+	struct LensGrip // a drag moves what the magnifier shows
 	{
 		probe::Probe start;
 		interact::View view;
 		std::size_t sheet;
-		glm::dvec2 from; // in the sheet
+		glm::dvec2 from; // place in the sheet
 	};
 	using DragState = std::variant<std::monostate, interact::Drag, CameraGrip, LensGrip>;
 

@@ -13,7 +13,7 @@ Result<std::shared_ptr<const gpu::Image>> FilmScreen::image(const std::shared_pt
 		return std::shared_ptr<const gpu::Image>(shown_);
 	shown_.reset();
 	const VkExtent2D extent{picture->width, picture->height};
-	// One that no frame under way shows.
+	// Takes an image that no frame under way uses.
 	const auto fits = [&](const std::shared_ptr<gpu::Image>& image) {
 		return image.use_count() == 1 && image->extent().width == extent.width &&
 		       image->extent().height == extent.height;

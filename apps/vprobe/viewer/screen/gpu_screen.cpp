@@ -21,7 +21,7 @@ VkOffset3D corner(const glm::ivec2& at, int depth)
 	return {at.x, at.y, depth};
 }
 
-// Dear ImGui goes on after a call of Vulkan that failed, with handles that are none. This ends its work.
+// Dear ImGui continues with invalid handles after a Vulkan call has failed. This exception ends its work.
 struct InterfaceFault
 {
 	Error error;
@@ -111,7 +111,7 @@ Screen::~Screen()
 	vkDestroySurfaceKHR(device_.instance(), surface_, nullptr);
 }
 
-// The backend takes fonts once: others begin it anew.
+// The backend takes fonts only once, so new fonts need a new backend.
 Status Screen::takeFonts()
 {
 	if (Status idle = device_.waitIdle(); !idle)
@@ -231,7 +231,7 @@ void Screen::record(VkCommandBuffer to, const Target& target, std::span<const Pl
 		recordPixels(to, target.image, finishedUse(), own_pixels_);
 }
 
-// For the host, which waits for it.
+// Copies the pixels for the host, which waits for them.
 void Screen::recordPixels(VkCommandBuffer to, VkImage from, const gpu::ImageUse& use, const gpu::Buffer& pixels) const
 {
 	gpu::imageBarrier(to, from, VK_IMAGE_ASPECT_COLOR_BIT, use, gpu::kCopyFrom);
@@ -246,7 +246,8 @@ void Screen::recordPixels(VkCommandBuffer to, VkImage from, const gpu::ImageUse&
 
 void Screen::recordPictures(VkCommandBuffer to, const Target& target, std::span<const Placement> pictures) const
 {
-	// The panels' color: software clears in no time, and takes a millisecond to draw a panel's ground.
+	// The image is cleared to the panels' color: a software device clears in no time, but takes a millisecond to draw
+	// the background of a panel.
 	const ImVec4& ground = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
 	const VkClearColorValue color{{ground.x, ground.y, ground.z, 1.0f}};
 	const VkImageSubresourceRange all{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
@@ -257,7 +258,7 @@ void Screen::recordPictures(VkCommandBuffer to, const Target& target, std::span<
 		const glm::ivec2 hi = glm::min(placed.lo + placed.size, glm::ivec2(extent_.width, extent_.height));
 		if (lo.x >= hi.x || lo.y >= hi.y || lo != placed.lo)
 			continue;
-		// What reaches beyond the window is cut off the picture, not squeezed.
+		// If a picture reaches beyond the window, it is cropped, not squeezed.
 		const VkExtent2D from = placed.image->extent();
 		const glm::dvec2 part = glm::dvec2(hi - lo) / glm::dvec2(placed.size);
 		const glm::ivec2 seen = glm::ivec2(part * glm::dvec2(from.width, from.height));
@@ -273,7 +274,7 @@ void Screen::recordPictures(VkCommandBuffer to, const Target& target, std::span<
 	}
 }
 
-// Waits for the frame: this is for pictures of the window, not for every frame.
+// Waits for the frame, which is slow: only pictures of the window need this, not every frame.
 Status Screen::finishCapture(const Target& target)
 {
 	const auto take = std::exchange(capture_, {});

@@ -36,26 +36,26 @@ struct Placement
 class Screen
 {
 public:
-	// An ImGui context is there and lives longer, and so does the window.
+	// An ImGui context must exist. It and the window must outlive the screen.
 	static Result<std::unique_ptr<Screen>> create(gpu::Device& device, const Window& window);
 	~Screen();
 	Screen(const Screen&) = delete;
 	Screen& operator=(const Screen&) = delete;
 
-	// Presents a frame. False: the window has another size now, and nothing was shown; the next frame is made for it.
-	// pictures: held until the device is done with them.
+	// Presents a frame. Returns false if the window has another size now: nothing was shown, and the next frame gets
+	// that size. pictures: they are held until the device is done with them.
 	Result<bool> show(std::span<const Placement> pictures, ImDrawData& interface, VkExtent2D extent);
-	// The next frame is handed to `take` as well.
+	// Passes the next frame to `take` as well.
 	void capture(std::function<void(render::Picture)> take) { capture_ = std::move(take); }
 
-	// How many rows of pixels the host has sent to the window; empty where the device presents.
+	// Returns how many rows of pixels the host has sent to the window. Empty if the device presents.
 	std::optional<std::uint64_t> rowsSent() const;
 
-	// ImGui's fonts, as they are in its atlas now.
+	// Takes ImGui's fonts as they are in its atlas now.
 	Status takeFonts();
 
 private:
-	// Two frames: one that the device draws, one that is recorded. A third would only add lag to the hand's.
+	// There are two frames: the device draws one while the other is recorded. A third would only add lag.
 	static constexpr std::size_t kFramesInFlight = 2;
 
 	struct Frame
@@ -85,7 +85,7 @@ private:
 	Status makeOwnTarget(VkExtent2D extent);
 	Status addTarget(VkImage image);
 	void dropTargets();
-	// The target's number; empty where the window has another size now.
+	// Returns the target's number. Empty if the window has another size now.
 	Result<std::optional<std::uint32_t>> acquire(const Frame& frame);
 	void record(VkCommandBuffer to, const Target& target, std::span<const Placement> pictures, ImDrawData& interface);
 	void recordPictures(VkCommandBuffer to, const Target& target, std::span<const Placement> pictures) const;
@@ -98,8 +98,8 @@ private:
 	gpu::Device& device_;
 	const Window& window_;
 	VkSurfaceKHR surface_;
-	std::unique_ptr<RowSender> rows_; // null where the device presents
-	gpu::Image own_;                  // the rows' target
+	std::unique_ptr<RowSender> rows_; // null if the device presents
+	gpu::Image own_;                  // target for the rows
 	gpu::Buffer own_pixels_;
 	std::uint64_t exposures_ = 0;
 	VkSurfaceFormatKHR format_{};

@@ -14,7 +14,7 @@ constexpr VkImageUsageFlags kTargetUsage =
 
 } // namespace
 
-// What a screen is made of: formats, frames, and the images that frames are drawn into.
+// This file sets up the parts of a screen: formats, frames, and the images that frames are drawn into.
 
 Status Screen::chooseWay()
 {
@@ -31,7 +31,7 @@ Status Screen::chooseWay()
 	return Nothing{};
 }
 
-// Eight bits a channel, taken as they are: pictures are sRGB already.
+// Takes eight bits per channel without conversion, since pictures are sRGB already.
 Status Screen::chooseFormat()
 {
 	if (rows_)
@@ -52,7 +52,7 @@ Status Screen::chooseFormat()
 	return Nothing{};
 }
 
-// ImGui of Debian 12 knows render passes only. The pictures lie below what it draws.
+// ImGui of Debian 12 supports only render passes. ImGui draws over the pictures.
 Status Screen::makeRenderPass()
 {
 	VkAttachmentDescription color{};

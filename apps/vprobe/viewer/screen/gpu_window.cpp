@@ -24,7 +24,7 @@ std::string lastComplaint()
 	return words ? words : "no reason given";
 }
 
-// GLFW 3.4 tries Wayland before X11, and where there is no Wayland libwayland complains on standard error.
+// GLFW 3.4 tries Wayland before X11. Without Wayland, libwayland then complains on standard error.
 void preferX11WithoutWayland()
 {
 #ifdef GLFW_PLATFORM
@@ -64,11 +64,11 @@ Result<std::unique_ptr<Window>> Window::create(const std::string& title, int wid
 	glfwSetWindowSizeLimits(handle, kMinWindowWidth, kMinWindowHeight, GLFW_DONT_CARE, GLFW_DONT_CARE);
 	std::unique_ptr<Window> window(new Window(handle));
 	glfwSetWindowUserPointer(handle, window.get());
-	// The user interface hears everything too, and takes what is meant for it: the listener asks it.
+	// The user interface gets every event too, and takes those that are meant for it. The listener asks it.
 	glfwSetCursorPosCallback(handle,
 	                         [](GLFWwindow* of, double x, double y)
 	                         {
-#if IMGUI_VERSION_NUM >= 18700 // an older one asks GLFW for the place in each frame
+#if IMGUI_VERSION_NUM >= 18700 // an older version asks GLFW for the position in each frame
 		                         ImGui_ImplGlfw_CursorPosCallback(of, x, y);
 #endif
 		                         if (const auto& tell = windowOf(of).events_.cursor)

@@ -14,8 +14,8 @@ struct GLFWwindow;
 namespace vp::app
 {
 
-// What a window hears; x to the right and y down in pixels of its content, keys and buttons as GLFW numbers them. A
-// function that is empty hears nothing.
+// Functions that a window calls on events. x points right and y down in pixels of the content; keys and buttons have
+// GLFW's numbers. An empty function is not called.
 struct WindowEvents
 {
 	std::function<void(double x, double y)> cursor{};
@@ -26,11 +26,11 @@ struct WindowEvents
 	std::function<void(std::vector<std::string> files)> drop{};
 };
 
-// A window of the desktop. Of one thread, but for wake().
+// A window of the desktop. Only one thread uses it, except for wake().
 class Window
 {
 public:
-	// An error of ErrorKind::device where there is no display.
+	// Returns an error of ErrorKind::device if there is no display.
 	static Result<std::unique_ptr<Window>> create(const std::string& title, int width, int height);
 	~Window();
 	Window(const Window&) = delete;
@@ -40,22 +40,22 @@ public:
 	Result<VkSurfaceKHR> makeSurface(VkInstance instance) const;
 
 	void listen(WindowEvents events) { events_ = std::move(events); }
-	// The same as a drop of files by hand.
+	// Does the same as a drop of files by the user.
 	void drop(std::vector<std::string> files) const;
 
-	// Hears what has come; waits at most so long for it.
+	// Handles the events that have come. Waits for them at most this long.
 	void hear(double seconds);
-	static void wake(); // from any thread: ends a wait
+	static void wake(); // ends a wait; any thread may call it
 
-	std::uint64_t exposures() const { return exposures_; } // how often the desktop has lost what the window showed
-	VkExtent2D pixels() const;                             // of the content; 0 x 0 while minimized
-	double scale() const; // of the screen: 2 where letters are to have twice the pixels
+	std::uint64_t exposures() const { return exposures_; } // how often the desktop has lost the window's content
+	VkExtent2D pixels() const;                             // size of the content; 0 x 0 while minimized
+	double scale() const;                                  // the screen's scale: 2 if letters need twice the pixels
 	double refreshRate() const;
 	bool minimized() const;
 	void minimize();
 	void restore();
-	void resize(int width, int height); // of the content; the desktop has the last word, later
-	bool closes() const;                // the user wishes so
+	void resize(int width, int height); // size of the content; the desktop decides, and does so later
+	bool closes() const;                // the user asked to close the window
 	void stayOpen();
 	void setTitle(const std::string& title);
 	void setFullScreen(bool full);

@@ -18,7 +18,7 @@ namespace
 
 constexpr std::size_t kPixelBytes = 4;
 
-// A request to the server has a head of its own. So a few rows that have not changed go with those around them.
+// Each request to the server has a header. So a few unchanged rows are sent together with the changed rows around them.
 constexpr std::uint32_t kMinGap = 4;
 
 } // namespace
@@ -52,7 +52,7 @@ void RowSender::send(std::span<const std::byte> pixels, std::uint32_t width, std
 	image.width = static_cast<int>(width);
 	image.height = static_cast<int>(height);
 	image.format = ZPixmap;
-	image.data = const_cast<char*>(reinterpret_cast<const char*>(pixels.data())); // only read
+	image.data = const_cast<char*>(reinterpret_cast<const char*>(pixels.data())); // X only reads it
 	image.byte_order = image.bitmap_bit_order = LSBFirst;
 	image.bitmap_unit = image.bitmap_pad = image.bits_per_pixel = 8 * kPixelBytes;
 	XWindowAttributes has{};

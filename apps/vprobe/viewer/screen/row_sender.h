@@ -18,13 +18,14 @@ namespace vp::app
 class RowSender
 {
 public:
-	// An error of ErrorKind::device where the window is not one of X11 with eight bits a channel.
+	// Returns an error of ErrorKind::device if the window is not an X11 window with eight bits per channel.
 	static Result<std::unique_ptr<RowSender>> create(GLFWwindow* window);
 
-	// Windows stand on a screen that a network lies before, as under ssh -X. There is a window.
+	// Returns true if a network lies between the program and the screen, as with ssh -X. A window must exist.
 	static bool isRemote();
 
-	// pixels: B, G, R and a byte that is ignored, row by row from the top. all: the window has lost what was sent.
+	// pixels: B, G, R and a byte that is ignored, row by row from the top. all: sends all rows, since the window has
+	// lost its content.
 	void send(std::span<const std::byte> pixels, std::uint32_t width, std::uint32_t height, bool all);
 	std::uint64_t rowsSent() const { return rows_sent_; }
 
