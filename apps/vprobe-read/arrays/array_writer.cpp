@@ -16,7 +16,7 @@ using vp::grid::NumberType;
 
 namespace
 {
-// What a file can be long.
+// Limit for the length of a file.
 constexpr std::size_t kMostBytes = std::size_t(1) << 62;
 } // namespace
 
@@ -42,7 +42,8 @@ std::size_t ArrayWriter::reserve(std::size_t bytes)
 	return start_;
 }
 
-// Written, not mapped: so no page is cleared first, the process' limits hold, and no memory is an error, not a signal.
+// The memory is written, not mapped: so no page is cleared first, the process' limits apply, and a lack of memory is an
+// error, not a signal.
 void ArrayWriter::put(std::size_t at, const void* data, std::size_t bytes) const
 {
 	const char* from = static_cast<const char*>(data);

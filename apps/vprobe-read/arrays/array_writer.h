@@ -16,16 +16,16 @@ public:
 
 	nlohmann::json write(vp::grid::NumberType type, const void* data, std::size_t bytes);
 
-	// The same in pieces, for arrays that are converted on the way.
+	// These write an array in pieces, for arrays that are converted on the way.
 	void begin();
 	void append(const void* data, std::size_t bytes);
 	nlohmann::json end(vp::grid::NumberType type);
 
-	// Room for an array whose bytes are put there in any order, by any thread.
+	// Reserves room for an array. Any thread may put its bytes there, in any order.
 	std::size_t reserve(std::size_t bytes);
 	void put(std::size_t at, const void* data, std::size_t bytes) const;
 	static nlohmann::json describe(vp::grid::NumberType type, std::size_t at, std::size_t bytes);
-	// Where the next array comes behind, and as if nothing had been written from there on.
+	// mark() returns the end of the last array. rewind() drops everything that was written behind a mark.
 	std::size_t mark() const { return position_; }
 	void rewind(std::size_t mark);
 
@@ -37,6 +37,6 @@ private:
 
 nlohmann::json writeInt64(ArrayWriter& writer, std::span<const std::int32_t> values);
 nlohmann::json writeInt64(ArrayWriter& writer, std::span<const std::int64_t> values);
-// Ids of 32 bits where all of them fit, else of 64.
+// Writes ids with 32 bits if all of them fit, or else with 64 bits.
 nlohmann::json writeIds(ArrayWriter& writer, std::span<const std::int32_t> ids);
 nlohmann::json writeIds(ArrayWriter& writer, std::span<const std::int64_t> ids);

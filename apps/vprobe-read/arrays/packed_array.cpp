@@ -13,13 +13,13 @@ namespace
 
 // Large enough that a call of the system costs little, small enough to stay in a core's cache.
 constexpr std::size_t kPartBytes = 256 << 10;
-// VTK makes blocks of 32 KiB. Larger ones than this are left to VTK: each thread holds one.
+// VTK makes blocks of 32 KiB. Each thread holds a block, so blocks above this limit are left to VTK.
 constexpr std::uint64_t kMaxUnpackedBlock = 64u << 20;
-// More than deflate, LZ4 and LZMA make of what they cannot compress.
+// Deflate, LZ4 and LZMA write less than this even if they cannot compress a block.
 constexpr std::uint64_t kMaxPackedBlock = 80u << 20;
 
-// Deflate makes up to 1032 bytes of one, LZ4 255, LZMA about 7000. So no file asks for more memory than its size
-// allows.
+// From one byte, deflate unpacks up to 1032 bytes, LZ4 255 and LZMA about 7000. So no file gets more memory than its
+// size allows.
 constexpr std::uint64_t mostGrowth(Codec codec)
 {
 	return codec == Codec::lzma ? 8192 : 1032;
@@ -42,7 +42,7 @@ constexpr std::array<std::uint8_t, 256> kSixBits = []
 	return bits;
 }();
 
-// Four letters as three bytes. A group at the end of a text may have two or three letters, and say so with '='.
+// Decodes four letters to three bytes. The last group of a text may have only two or three letters, filled up with '='.
 std::size_t decodeGroup(const char* letters, std::byte* to)
 {
 	std::array<std::uint8_t, 4> bits;
@@ -152,7 +152,7 @@ PackedArray::PackedArray(const ByteSource& source, const Packing& packing, Scrat
 	part_bytes_ = kPartBytes;
 }
 
-// How many blocks, how large each is, how large the last one is where it is smaller, and what each takes.
+// Reads the number of blocks, their size, the size of the last one if it is smaller, and the packed size of each.
 void PackedArray::readBlockSizes(const ByteSource& source, const Packing& packing, Scratch& scratch)
 {
 	const std::size_t word = packing.word_bytes;
@@ -186,7 +186,7 @@ std::uint64_t PackedArray::base64Letters() const
 	const auto letters = [](std::uint64_t bytes) { return (bytes + 2) / 3 * 4; };
 	if (codec_ == Codec::none)
 		return letters(word_bytes_ + size_);
-	// The numbers in front are a text of their own; there are as many as blocks, and three.
+	// The numbers in front are a text of their own: three numbers, and one for each block.
 	return letters((block_starts_.size() + 2) * word_bytes_) + letters(block_starts_.back());
 }
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-// Thrown where a file holds what the quick way does not take. VTK then reads it, or says what is wrong with it.
+// Thrown if the quick reader does not support a file. VTK then reads it, or says what is wrong with it.
 struct NotQuick
 {
 };
@@ -29,13 +29,13 @@ public:
 	{
 	}
 
-	// No fewer than there are.
+	// Returns at least the number of bytes, perhaps a few more.
 	std::uint64_t size() const { return is_base64_ ? (end_ - begin_) / 4 * 3 : end_ - begin_; }
-	// What follows so many bytes of the file. Throws NotQuick past the end.
+	// Returns the source without the first bytes of the file. Throws NotQuick past the end.
 	ByteSource from(std::uint64_t file_bytes) const;
-	// What follows bytes that were written as base64 by themselves.
+	// Returns the source behind some bytes that were written as a base64 text of their own.
 	ByteSource behind(std::uint64_t bytes) const { return from(is_base64_ ? (bytes + 2) / 3 * 4 : bytes); }
-	// Throws NotQuick where there are fewer bytes, or other letters than base64 has.
+	// Reads bytes. Throws NotQuick if there are too few, or if a letter does not belong to base64.
 	void read(std::uint64_t at, std::span<std::byte> to, Scratch& scratch) const;
 
 private:
@@ -62,21 +62,21 @@ struct Packing
 	bool is_big_endian = false; // the numbers in front and those of the array
 };
 
-// One array of a VTK XML file: numbers that say how it is packed, then its bytes, in blocks where they are compressed.
+// One array of a VTK XML file: numbers that say how it is packed, then its bytes, in blocks if they are compressed.
 class PackedArray
 {
 public:
-	// Reads the numbers in front. Every size is held against that of the file. Throws NotQuick.
+	// Reads the numbers in front. Checks every size against the size of the file. Throws NotQuick.
 	PackedArray(const ByteSource& source, const Packing& packing, Scratch& scratch);
 
 	std::uint64_t size() const { return size_; } // bytes, unpacked
-	// The letters that it takes as base64, with the numbers in front.
+	// Returns the number of letters that the array and the numbers in front take as base64.
 	std::uint64_t base64Letters() const;
-	// It comes apart into parts of this many bytes, unpacked, but for the last one.
+	// The array is unpacked in parts. Each part has this many bytes, except for the last one.
 	std::size_t partBytes() const { return part_bytes_; }
 	std::size_t partCount() const { return static_cast<std::size_t>((size_ + part_bytes_ - 1) / part_bytes_); }
-	// The first bytes of a part, no more than `most`. They stay until the scratch memory is used again. Throws NotQuick
-	// for damaged data.
+	// Returns the first bytes of a part, at most `most`. They are valid until the scratch memory is used again. Throws
+	// NotQuick for damaged data.
 	std::span<const std::byte> part(std::size_t index, std::uint64_t most, Scratch& scratch) const;
 
 private:

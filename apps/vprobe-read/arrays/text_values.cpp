@@ -18,7 +18,7 @@ using vp::grid::NumberType;
 namespace
 {
 
-// Words of a text, one after the other.
+// Splits a text into words, one after the other.
 class ValueWords
 {
 public:

@@ -2,5 +2,5 @@
 
 #include "packed_array.h"
 
-// Unpacks one block. False unless it fills `to` exactly.
+// Unpacks one block. Returns false unless it fills `to` exactly.
 bool unpack(Codec codec, std::span<const std::byte> packed, std::span<std::byte> to);

@@ -12,7 +12,7 @@
 class vtkDataArray;
 class vtkImageData;
 
-// How plain values lie in bytes: components run fastest, then x, y, z.
+// Describes how plain values lie in bytes: components run fastest, then x, y, z.
 struct ValueLayout
 {
 	std::array<std::uint32_t, 3> points{0, 0, 0};
@@ -21,11 +21,11 @@ struct ValueLayout
 	bool is_big_endian = false;
 
 	std::uint64_t valueCount() const;
-	// Throws a Refusal where the product is more than can be.
+	// Throws a Refusal if the product is too large.
 	std::uint64_t byteCount() const;
 };
 
-// An array for the values, with room for them or without.
+// Says whether an array gets room for its values.
 enum class Room
 {
 	made,
