@@ -4,14 +4,15 @@
 #include <string_view>
 #include <vector>
 
-// Which arrays the parent asks for.
+// Says which arrays the parent asks for.
 struct ArrayWish
 {
 	bool all = true;
 	bool first = false;             // also the one that is shown where none is named
 	std::vector<std::string> names; // as they are, or behind "point:" or "cell:"
 
-	// Of an array of a block. `is_shown`: the block's first point array, or its first cell array where it has no other.
+	// Returns true if the parent asks for this array of a block. `is_shown`: it is the block's first point array, or
+	// its first cell array if there is no point array.
 	bool wants(std::string_view association, std::string_view name, bool is_shown) const
 	{
 		if (all || (first && is_shown))

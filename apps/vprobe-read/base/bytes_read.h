@@ -2,12 +2,12 @@
 
 #include <cstdint>
 
-// How many bytes this process has asked the system for by reading, since its start; of whatever file (rchar of
-// /proc/self/io). What is mapped counts only where countMapped() says so. 0 where the system does not tell.
+// Returns how many bytes this process has read from files since its start (rchar of /proc/self/io). Mapped bytes count
+// only if countMapped() adds them. Returns 0 if the system does not say it.
 std::uint64_t bytesRead();
 
 // Adds bytes that were taken from a mapped file.
 void countMapped(std::uint64_t bytes);
 
-// Begins to count anew. What was read before was the program itself.
+// Begins to count anew. Before this, the process has read only the program itself.
 void startCounting();

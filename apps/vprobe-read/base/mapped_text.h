@@ -15,7 +15,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-// All of a file, mapped to be read.
+// Maps a whole file to read it.
 class MappedText
 {
 public:

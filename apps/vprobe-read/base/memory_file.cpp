@@ -17,7 +17,7 @@ int openMemory()
 	return memfd_create("vprobe-copy", MFD_CLOEXEC);
 }
 
-// An index may name more pieces than a process may first have files open.
+// Raises the limit of open files, since an index may name more pieces than the limit allows.
 void allowMoreFiles()
 {
 	struct rlimit limit = {};

@@ -19,9 +19,9 @@ public:
 	void append(std::string_view bytes);
 	// Writes over bytes that were appended before.
 	void overwrite(std::uint64_t at, std::string_view bytes) const;
-	// Leaves so many bytes out; they read as zeros and take no memory.
+	// Skips some bytes. They read as zeros and take no memory.
 	void skip(std::uint64_t bytes) { size_ += bytes; }
-	// Behind all that was appended and left out.
+	// Ends the file behind all bytes that were appended or skipped.
 	void end() const;
 
 private:

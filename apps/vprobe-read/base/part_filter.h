@@ -7,7 +7,7 @@
 #include <set>
 #include <string_view>
 
-// Layers of cells of a lattice, along its last axis: from `begin` to before `end`.
+// Layers of cells of a lattice along its last axis, from `begin` to before `end`.
 struct CellLayers
 {
 	std::size_t begin = 0;
@@ -16,8 +16,8 @@ struct CellLayers
 	std::size_t count() const { return end - begin; }
 };
 
-// Which parts of a file are handed over: pieces, blocks or whatever can be cut on its own, numbered as they come. The
-// number of a part is the same whichever parts are asked for.
+// Says which parts of a file are handed over. A part is a piece, a block, or anything that can be cut on its own. Parts
+// are numbered in the order of the file, and a number does not depend on which parts are asked for.
 class PartFilter
 {
 public:
@@ -29,33 +29,33 @@ public:
 	};
 
 	PartFilter() = default;
-	// text: empty for all, "?" for a list, or numbers with commas between. Behind that may stand "/" and into how many
-	// slabs a lattice comes apart that is alone in its file.
+	// text: empty for all, "?" for a list, or numbers with commas between. "/" and a number may follow: a lattice that
+	// is alone in its file is split into so many slabs.
 	explicit PartFilter(std::string_view text);
 
 	bool filters() const { return mode_ != Mode::all; }
 	bool lists() const { return mode_ == Mode::list; }
-	// Goes on to the next part, of about so many cells. False where it is not asked for. A part within a part belongs
-	// to it.
+	// Begins the next part, which has about so many cells. Returns false if it is not asked for. A part within a part
+	// belongs to the outer one.
 	bool begin(std::size_t cells);
-	// Goes on to the next lattice that is alone in its file, of so many layers with so many cells each. Its slabs are
-	// parts of one block, with these facts (beginBlock()). Returns the layers that are asked for, which follow each
-	// other, or nothing.
+	// Begins the next lattice that is alone in its file, with so many layers of so many cells each. Its slabs are parts
+	// of one block with these facts (see beginBlock()). Returns the layers that are asked for, which are adjacent, or
+	// nothing.
 	std::optional<CellLayers> beginLattice(nlohmann::json facts, std::size_t layers, std::size_t cells_of_layer);
-	// Whether such a lattice comes apart here.
+	// Returns true if such a lattice is split here.
 	bool splits() const { return filters() && !isInside() && !in_block_ && slabs_ > 1; }
-	// The parts from here to end() belong to one block that is cut as a whole where all parts are in one process.
-	// facts: what is known of the whole, such as its kind and its points; or null.
+	// From here to endBlock(), parts belong to one block, which is cut as a whole if all its parts are in one process.
+	// facts: properties of the whole block, such as its kind and its points; or null.
 	void beginBlock(nlohmann::json facts);
 	void endBlock() { in_block_ = false; }
-	// What lies between belongs to the part begun last.
+	// Everything between enter() and leave() belongs to the part that was begun last.
 	void enter() { ++depth_; }
 	void leave() { --depth_; }
 	bool isInside() const { return depth_ > 0; }
 
-	// Of the part begun last, or of the first one of a slab.
+	// Returns the number of the part that was begun last, or of the first part of a slab.
 	std::size_t number() const { return number_; }
-	// {"cells", "block"} for each part, and the facts of blocks by their numbers.
+	// Return {"cells", "block"} for each part, and the facts of blocks by their numbers.
 	nlohmann::json parts() const { return parts_; }
 	nlohmann::json blocks() const { return blocks_; }
 
@@ -70,7 +70,7 @@ private:
 	int depth_ = 0;
 };
 
-// Lets what is added belong to the part begun last, while it lives.
+// As long as an object of this class exists, everything that is added belongs to the part that was begun last.
 class InsidePart
 {
 public:

@@ -2,8 +2,8 @@
 
 #include <string>
 
-// While one lives, what is printed to standard error is kept instead. Libraries tell there of damage that they go on
-// after.
+// As long as an object of this class exists, it keeps text that is printed to standard error. Libraries report there
+// damage that does not stop them.
 class PrintedText
 {
 public:
@@ -12,7 +12,7 @@ public:
 	PrintedText(const PrintedText&) = delete;
 	PrintedText& operator=(const PrintedText&) = delete;
 
-	// So far; at most its first 64 kB.
+	// Returns the text so far, at most its first 64 kB.
 	std::string text() const;
 
 private:

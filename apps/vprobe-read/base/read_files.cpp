@@ -25,7 +25,7 @@ struct FilesRead
 	bool tells = false;
 };
 
-// Never destroyed: files are opened until the process is gone.
+// The object is never destroyed, since files are opened until the process ends.
 FilesRead& filesOfThis()
 {
 	static auto& one = *new FilesRead;
@@ -34,7 +34,7 @@ FilesRead& filesOfThis()
 
 std::atomic<int> looking = 0;
 
-// Libraries read these for themselves.
+// Returns true for files that libraries read for themselves.
 bool isOfTheSystem(std::string_view path)
 {
 	constexpr std::array<std::string_view, 6> folders = {"/proc/", "/sys/",    "/dev/",

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-// Why an input cannot be used, in words that follow "FILE: " on the user's line.
+// Says why an input cannot be used, in words that follow "FILE: " on the user's line.
 class Refusal : public std::runtime_error
 {
 public:
@@ -14,14 +14,14 @@ public:
 constexpr const char* kNoRoom = "cannot be written: its disk is full, or files may not grow so large; make room or "
                                 "choose another place";
 
-// There is no room for what is handed over.
+// Thrown if the shared memory has no room for the arrays.
 class NoSharedMemory : public std::bad_alloc
 {
 public:
 	const char* what() const noexcept override { return "there is no room in shared memory to hand its values over"; }
 };
 
-// There is no room for what the parent wants written; the words follow the name of that file.
+// Thrown if there is no room for a file that the parent wants written. The words follow the name of that file.
 class NoRoom : public std::runtime_error
 {
 public:

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-// What the parent asks for.
+// Holds the parent's request.
 struct Request
 {
 	std::string file;

@@ -38,7 +38,7 @@ std::string_view part(std::string_view bytes, std::uint64_t at, std::uint64_t si
 	return bytes.substr(at, size);
 }
 
-// The 64-bit number that stands for one of 32 that is all ones; they come in order in the extra field.
+// Replaces each 32-bit number that is all ones by a 64-bit number. These follow each other in the extra field.
 void widen(std::string_view extra, std::initializer_list<std::uint64_t*> numbers)
 {
 	std::uint64_t at = 0;
@@ -57,7 +57,7 @@ void widen(std::string_view extra, std::initializer_list<std::uint64_t*> numbers
 
 std::vector<ZipEntry> zipEntries(std::string_view archive)
 {
-	// The end record has a comment of up to 64 KiB behind it.
+	// A comment of up to 64 KiB may follow the end record.
 	std::size_t end = archive.size() < kEndBytes ? archive.npos : archive.size() - kEndBytes;
 	const std::size_t first = archive.size() > 65536 + kEndBytes ? archive.size() - 65536 - kEndBytes : 0;
 	while (end != archive.npos && numberAt(archive, end, 4) != kEndMark)

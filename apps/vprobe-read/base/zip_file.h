@@ -14,8 +14,8 @@ struct ZipEntry
 	std::uint32_t checksum = 0;
 };
 
-// The list at the archive's end. Throws a Refusal where it cannot be followed.
+// Returns the list at the archive's end. Throws a Refusal if the list is damaged.
 std::vector<ZipEntry> zipEntries(std::string_view archive);
 
-// Throws a Refusal where it does not unpack to its size and checksum.
+// Unpacks an entry. Throws a Refusal if its size or checksum is wrong.
 std::string unpackEntry(const ZipEntry& entry);
