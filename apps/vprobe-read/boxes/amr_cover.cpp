@@ -20,7 +20,7 @@
 namespace
 {
 
-// Halving 40 times is finer than floating point holds.
+// Cells that were halved 40 times are smaller than floating point resolves.
 constexpr int kMaxLevels = 40;
 constexpr int kMaxRatio = 1024;
 

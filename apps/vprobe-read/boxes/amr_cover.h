@@ -22,11 +22,11 @@ struct AmrLevels
 	std::vector<int> ratios; // from a level to the next finer one; empty where levels do not overlap
 };
 
-// What the index says, of version 1.1 (a Block element a level, with its spacing) or 0.1 (a DataSet element a box, with
-// its level as group, and the ratios by themselves).
+// Reads an index of version 1.1 (one Block element per level, with its spacing) or 0.1 (one DataSet element per box,
+// with its level as group, and separate ratios).
 AmrLevels readAmrLevels(vtkXMLDataElement* index);
 
 bool hasCellsOf(const AmrBox& box, vtkImageData* image);
 
-// Marks the cells of a box under boxes of finer levels as refined, as VTK does: where it covers any part of them.
+// Marks cells of a box as refined if a box of a finer level covers any part of them, as VTK does.
 void markCovered(const AmrLevels& levels, std::size_t level, const AmrBox& box, vtkImageData* image);

@@ -14,7 +14,7 @@ class ManifestWriter;
 class vtkDataSet;
 class vtkImageData;
 
-// A box of equal cells, as codes have them that refine by boxes.
+// A box of equal cells, as codes write them that refine by boxes.
 struct CellBox
 {
 	std::array<double, 3> lo;
@@ -24,10 +24,10 @@ struct CellBox
 	std::size_t cellCount() const { return cells[0] * cells[1] * cells[2]; }
 };
 
-// Throws a Refusal for a box that cannot be.
+// Throws a Refusal for an impossible box.
 vtkSmartPointer<vtkImageData> imageOfBox(const CellBox& box);
 
-// Adds an array of doubles to the cells; `values` are as many as they have components.
+// Adds an array of doubles to the cells. It has as many components as there are values per cell.
 void addCellArray(vtkDataSet* data, const std::string& name, std::span<const double> values);
 
 struct CellArrayName
@@ -36,14 +36,14 @@ struct CellArrayName
 	int components = 1;
 };
 
-// The arrays of cells that are handed over, where reading the others would take time for nothing. Those are told for
-// each block.
+// Chooses the arrays of cells that are handed over, so that no time is lost in reading the others. The others are
+// reported for each block.
 class CellArrayChoice
 {
 public:
 	CellArrayChoice(const Request& request, const std::vector<CellArrayName>& arrays);
 	const std::vector<std::string>& wanted() const { return wanted_; }
-	// Before a block is added.
+	// Call this before a block is added.
 	void noteLeftOut(ManifestWriter& manifest) const;
 
 private:
@@ -51,5 +51,5 @@ private:
 	std::vector<CellArrayName> left_out_;
 };
 
-// A file that holds one time, or NaN where it says none.
+// Offers the time of a file that holds only one. time: NaN if the file does not say it.
 void offerOnlyTime(double time, const Request& request, ManifestWriter& manifest);
