@@ -56,8 +56,8 @@ void refuseBadOffsets(const Lists<T>& lists, std::size_t cells)
 			throw damaged("the cell offsets do not rise");
 }
 
-// The types to hand over: those of hidden cells and of cells that cannot be sliced become empty. False if nothing is
-// left.
+// Chooses the types to hand over: hidden cells and cells that cannot be sliced become empty. Returns false if nothing
+// is left.
 template <class T>
 bool chooseTypes(std::vector<std::uint8_t>& types, const Lists<T>& lists, vtkUnsignedCharArray* ghosts,
                  CellCounts& counts, bool curved)
@@ -97,7 +97,7 @@ bool chooseTypes(std::vector<std::uint8_t>& types, const Lists<T>& lists, vtkUns
 	return left > 0;
 }
 
-// Whether the offsets say no more than the types do.
+// Returns true if the offsets follow from the types.
 template <class T>
 bool areAlike(std::span<const std::uint8_t> types, const Lists<T>& lists)
 {
@@ -110,8 +110,8 @@ bool areAlike(std::span<const std::uint8_t> types, const Lists<T>& lists)
 	return others == 0;
 }
 
-// Offsets and connectivity without the points that a cell lists beyond those of its type, as some writers of mid-side
-// nodes leave them.
+// Writes offsets and connectivity without the points that a cell lists beyond those of its type. Some writers leave
+// mid-side nodes there.
 template <class T>
 void writeTrimmed(ArrayWriter& writer, std::span<const std::uint8_t> types, const Lists<T>& lists, json& cells)
 {
@@ -131,7 +131,8 @@ void writeTrimmed(ArrayWriter& writer, std::span<const std::uint8_t> types, cons
 	cells["connectivity"] = writeIds(writer, std::span<const std::int64_t>(connectivity));
 }
 
-// Per polyhedron: faces, then per face its size and points. VTK keeps them in one array and a location per cell.
+// Writes for each polyhedron the number of faces, then for each face its size and points. VTK keeps them in one array,
+// with a location for each cell.
 void writeFaces(ArrayWriter& writer, std::span<const std::uint8_t> types, vtkUnstructuredGrid* grid, json& cells)
 {
 	std::vector<std::int64_t> offsets = {0};

@@ -12,7 +12,7 @@
 class vtkUnsignedCharArray;
 class vtkUnstructuredGrid;
 
-// Cells that are not handed over as they stand.
+// Counts the cells that are not handed over unchanged.
 struct CellCounts
 {
 	std::size_t flat = 0;                           // of dimension below three
@@ -25,11 +25,12 @@ struct CellCounts
 // arrays keep their numbering. Returns null, and writes nothing, if no cell is left. curved: keepsCurved() is true.
 nlohmann::json writeCells(ArrayWriter& writer, vtkUnstructuredGrid* grid, CellCounts& counts, bool curved = false);
 
-// The marks of a grid's cells, null where it has none. Throws a Refusal where there are more or fewer than cells.
+// Returns the marks of a grid's cells, or null if it has none. Throws a Refusal if there is not one mark per cell.
 vtkUnsignedCharArray* ghostMarks(vtkUnstructuredGrid* grid);
 
-// Throws a Refusal where the offsets do not rise or run past the connectivity.
+// Throws a Refusal if the offsets do not rise, or run past the connectivity.
 void refuseBadLists(vtkUnstructuredGrid* grid);
 
-// Of a polyhedron: faces, then per face its size and points. Throws a Refusal where they run past their end.
+// Returns the faces of a polyhedron: their number, then for each face its size and points. Throws a Refusal if they run
+// past their end.
 std::span<const vtkIdType> polyhedronFaces(vtkUnstructuredGrid* grid, vtkIdType cell);

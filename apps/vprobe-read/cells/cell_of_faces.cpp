@@ -16,7 +16,8 @@ bool holdsCorner(const FaceCorners& face, vtkIdType corner)
 	return std::find(face.begin(), face.end(), corner) != face.end();
 }
 
-// The corner at the other end of the edge that leaves `base` at its corner; -1 where there is no one such.
+// Returns the corner at the other end of the edge that leaves `base` at a corner. Returns -1 unless there is exactly
+// one.
 vtkIdType cornerOver(std::span<const FaceCorners> faces, const FaceCorners& base, vtkIdType corner)
 {
 	vtkIdType found = -1;
@@ -38,7 +39,7 @@ vtkIdType cornerOver(std::span<const FaceCorners> faces, const FaceCorners& base
 	return found;
 }
 
-// VTK's type for so many corners and for faces of three and of four; 0 for none.
+// Returns VTK's type for a cell with so many corners, triangles and quads, or 0 if there is none.
 int solidTypeOf(std::size_t corners, std::size_t triangles, std::size_t quads, std::size_t faces)
 {
 	if (triangles + quads != faces)
@@ -52,7 +53,8 @@ int solidTypeOf(std::size_t corners, std::size_t triangles, std::size_t quads, s
 	return corners == 8 && triangles == 0 && quads == 6 ? VTK_HEXAHEDRON : 0;
 }
 
-// Corners in VTK's order: a base, seen from inside, and what lies over it. Empty where that does not come out.
+// Returns the corners in VTK's order: a base, seen from inside, then the corners over it. Returns an empty list if the
+// faces do not fit.
 std::vector<vtkIdType> cornersInOrder(int type, std::span<const FaceCorners> faces, const std::set<vtkIdType>& all)
 {
 	const std::size_t wanted = type == VTK_PYRAMID || type == VTK_HEXAHEDRON ? 4 : 3;

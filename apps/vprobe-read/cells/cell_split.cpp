@@ -11,7 +11,7 @@ using namespace vp::read;
 namespace
 {
 
-// A lattice with a node at each place that `index` knows.
+// A lattice of nodes over a cell.
 class NodeLattice
 {
 public:
@@ -23,7 +23,7 @@ public:
 		       std::size_t(i);
 	}
 
-	// The point of the cell at each place, -1 where it has none.
+	// Returns the cell's point at each place of the lattice, or -1 if it has none there.
 	std::vector<int> pointsAt(std::span<const Vec3> at) const
 	{
 		std::vector<int> points(place(intervals_[0], intervals_[1], intervals_[2]) + 1, -1);
@@ -119,7 +119,8 @@ CellSplit splitWedge(int across, int along, std::span<const Vec3> at)
 					split.nodes.push_back({point});
 					continue;
 				}
-				// The ends of the triangle's edge whose middle this is: (1, 1) lies between (2, 0) and (0, 2).
+				// This place is the middle of an edge of the triangle. corner() returns the ends: (1, 1) lies between
+				// (2, 0) and (0, 2).
 				const auto corner = [&](bool end, int z)
 				{
 					const int x = i == 1 ? (end ? 2 : 0) : i;
@@ -158,7 +159,8 @@ CellSplit splitTetrahedron(int intervals, std::span<const Vec3> at)
 					split.nodes.push_back({point});
 					continue;
 				}
-				// An edge's middle: each odd place takes 0 at one end and 2 at the other, so that they sum alike.
+				// For the middle of an edge, each odd coordinate becomes 0 at one end and 2 at the other, so that the
+				// sums are equal.
 				const bool at_zero = i + j + k == 1;
 				const std::array<int, 3> here = {i, j, k};
 				std::array<int, 3> low = here;
@@ -215,7 +217,7 @@ CellSplit splitTetrahedron15()
 {
 	CellSplit split;
 	ownPoints(split, 15);
-	// Per face, seen from outside clockwise: its corners and edge points in turn, then its middle.
+	// For each face, clockwise seen from outside: its corners and edge points in turn, then its middle.
 	constexpr std::array<std::array<std::size_t, 7>, 4> faces = {
 	    {{0, 4, 1, 5, 2, 6, 10}, {0, 7, 3, 8, 1, 4, 11}, {1, 8, 3, 9, 2, 5, 12}, {0, 6, 2, 9, 3, 7, 13}}};
 	for (const auto& face : faces)
@@ -290,7 +292,7 @@ int pointsOf(std::uint8_t part_type)
 
 const OctahedronCut& octahedronCut(int diagonal)
 {
-	// By the numbers of kOctahedronDiagonals; every one runs about the diagonal the same way round.
+	// Cuts in the order of kOctahedronDiagonals. The tetrahedra of each cut run about its diagonal in the same sense.
 	static constexpr std::array<OctahedronCut, 3> cuts = {{{{{0, 5, 1, 2}, {0, 5, 2, 3}, {0, 5, 3, 4}, {0, 5, 4, 1}}},
 	                                                       {{{1, 3, 0, 4}, {1, 3, 4, 5}, {1, 3, 5, 2}, {1, 3, 2, 0}}},
 	                                                       {{{2, 4, 0, 1}, {2, 4, 1, 5}, {2, 4, 5, 3}, {2, 4, 3, 0}}}}};

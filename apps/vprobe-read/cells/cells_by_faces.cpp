@@ -12,7 +12,7 @@
 namespace
 {
 
-// The faces of all cells, one cell after the other.
+// Lists the faces of all cells, one cell after the other.
 struct FacesByCell
 {
 	explicit FacesByCell(const CellsByFaces& mesh) : starts(mesh.cells + 1)

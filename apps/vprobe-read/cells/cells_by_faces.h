@@ -6,8 +6,8 @@
 
 class GrownCells;
 
-// Cells that a file gives by their faces. A face's normal, by the right-hand rule, points out of its first cell into
-// its second one.
+// Cells that a file describes by their faces. A face's normal, by the right-hand rule, points out of its first cell
+// into its second one.
 struct CellsByFaces
 {
 	std::span<const std::int64_t> starts;  // faces + 1 offsets into corners
@@ -17,6 +17,6 @@ struct CellsByFaces
 	std::size_t cells = 0;
 };
 
-// Adds all of them, in their order. Numbers have to fit together. Throws a Refusal if a cell has fewer than four faces,
+// Adds all cells, in their order. The numbers must be consistent. Throws a Refusal if a cell has fewer than four faces,
 // or a face fewer than three corners.
 void addCellsByFaces(GrownCells& grown, const CellsByFaces& mesh);

@@ -22,7 +22,7 @@ public:
 	// Adds a cell that `source` has entered. Its points must exist.
 	void add(vtkIdType cell, std::uint8_t type, CellKind& kind, vtkIdList* points);
 
-	// Changes the lists of the cells that were added, where their order is another one.
+	// Changes the lists of those added cells that have another order.
 	void apply();
 
 private:

@@ -40,7 +40,7 @@ const EdgedShape kEdgedHexahedron{
     8,
     {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
 
-// What a shape becomes where these corners are one: the corners of the smaller cell, which runs the same way round.
+// Says what a shape becomes if these corners coincide: the corners of the smaller cell, which has the same orientation.
 struct Collapse
 {
 	const EdgedShape* to;
@@ -48,7 +48,7 @@ struct Collapse
 	Corners corners;
 };
 
-// A shape, how it can be turned onto itself, and what it can collapse to.
+// A shape, the turns that map it onto itself, and what it can collapse to.
 struct Collapsible
 {
 	const EdgedShape* shape;
@@ -89,7 +89,7 @@ std::vector<Corners> allTurns(const Collapsible& of)
 
 using Ids = std::vector<vtkIdType>;
 
-// Whether corners are one where the collapse says so, and only there.
+// Returns true if exactly those corners coincide that the collapse says.
 bool fits(const Collapse& collapse, const Corners& turn, std::span<const vtkIdType> ids)
 {
 	std::array<std::uint8_t, 8> first; // the first of the corners that are one
@@ -105,7 +105,7 @@ bool fits(const Collapse& collapse, const Corners& turn, std::span<const vtkIdTy
 	return true;
 }
 
-// The nodes of the smaller cell. Nothing where the edges that have become one list different nodes.
+// Returns the nodes of the smaller cell. Returns nothing if edges that have become one list different nodes.
 std::optional<Ids> nodesOf(const EdgedShape& from, const Collapse& collapse, const Corners& turn,
                            std::span<const vtkIdType> ids)
 {

@@ -55,7 +55,7 @@ void checkPoints(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* ids)
 			throw damaged(fmt::format("cell {} lists point {} of {}", cell, ids->GetId(i), grid->GetNumberOfPoints()));
 }
 
-// Cells that list more points than their type has keep the first ones, as they do without a tolerance.
+// If a cell lists more points than its type has, keeps the first ones, as without a tolerance.
 void trimLists(vtkUnstructuredGrid* grid)
 {
 	vtkCellArray* cells = grid->GetCells();

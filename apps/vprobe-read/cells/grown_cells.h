@@ -12,7 +12,7 @@ class vtkIdTypeArray;
 class vtkUnsignedCharArray;
 class vtkUnstructuredGrid;
 
-// The cells of a grid in the making, one after the other; each knows the file's cell it is part of.
+// Collects the cells of a grid, one after the other. Each knows which cell of the file it is part of.
 class GrownCells
 {
 public:
@@ -21,12 +21,12 @@ public:
 
 	void startSource(vtkIdType cell) { source_ = cell; }
 	void addPoint(vtkIdType point);
-	// Of a polyhedron: faces, then per face its size and points.
+	// Adds the faces of a polyhedron: their number, then for each face its size and points.
 	void addFaces(std::span<const vtkIdType> stream);
 	// Ends a cell that has the points, and faces, added since the last.
 	void endCell(std::uint8_t type);
 
-	// A prism over a polygon as a polyhedron: first the points of the one end, then of the other.
+	// Adds a prism over a polygon as a polyhedron. points: first those of one end, then those of the other.
 	void addPrism(std::span<const vtkIdType> points);
 
 	void fill(vtkUnstructuredGrid* grid) const;

@@ -13,7 +13,7 @@
 using vp::Vec3;
 using namespace vp::read;
 
-// Linear cells that a cell's parts become after so many halvings.
+// Returns the number of linear cells that a cell's parts become after so many halvings.
 double countParts(const CellSplit& split, int level)
 {
 	double pyramids = 0.0;
@@ -85,7 +85,7 @@ Corner PartCutter::middleOf(const CellSplit::Node& node, std::span<const Corner>
 	return {nodes_.between(std::span(ids).first(count), [&] { return source_.weights(at); }), at};
 }
 
-// Along the shortest diagonal; where they are of a length, along the first.
+// Cuts along the shortest diagonal. If several are equally short, cuts along the first.
 void PartCutter::cutOctahedron(const LinearCell& octahedron, std::vector<LinearCell>& parts)
 {
 	int best = 0;

@@ -13,7 +13,7 @@
 class NewNodes;
 class SourceCells;
 
-// A point of a linear cell in the making.
+// A point of a linear cell that is being made.
 struct Corner
 {
 	vtkIdType point;
@@ -26,7 +26,7 @@ struct LinearCell
 	std::array<Corner, 8> corners;
 };
 
-// Linear cells that a cell's parts become after so many halvings.
+// Returns the number of linear cells that a cell's parts become after so many halvings.
 double countParts(const CellSplit& split, int level);
 
 // Cuts the cell that `source` and `nodes` have entered into linear ones; new points go to `nodes`.
@@ -35,7 +35,7 @@ class PartCutter
 public:
 	PartCutter(NewNodes& nodes, SourceCells& source) : nodes_(nodes), source_(source) {}
 
-	// Its parts, halved so many times; good until the next call.
+	// Returns the parts, halved so many times. They are valid until the next call.
 	const std::vector<LinearCell>& parts(const CellSplit& split, std::span<const Corner> points, int level);
 
 private:

@@ -36,7 +36,7 @@ using namespace vp::read;
 namespace
 {
 
-// At about 200 bytes a cell, half of them the grid built from it.
+// A cell takes about 200 bytes, half of them for the grid that is built from it.
 constexpr double kMaxRefinedCells = 1e8;
 
 bool isRewritten(std::uint8_t type)

@@ -8,7 +8,7 @@
 
 class vtkUnstructuredGrid;
 
-// A grid whose cells are all of types that can be sliced, or were of no such type to begin with.
+// A grid in which all curved cells have become cells that can be sliced.
 struct LinearCells
 {
 	vtkSmartPointer<vtkUnstructuredGrid> grid; // its points are the file's and then the added ones
@@ -21,5 +21,5 @@ struct LinearCells
 // point sets tetrahedra. Cells of any other type, and hidden ones, stay. Cells that shared a face share its parts:
 // faces are cut alike from either side, and diagonals lie inside cells only.
 //
-// Nothing where there is no such cell. Throws a Refusal for damaged cells and for too high a level.
+// Returns nothing if there is no such cell. Throws a Refusal for damaged cells and for too high a level.
 std::optional<LinearCells> linearize(vtkUnstructuredGrid* grid, int level);

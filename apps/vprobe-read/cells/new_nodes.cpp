@@ -16,7 +16,7 @@ using vp::Vec3;
 namespace
 {
 
-// Of each component.
+// Returns the range of each component.
 NewNodes::Ranges rangesOf(vtkDataArray* array)
 {
 	NewNodes::Ranges ranges;

@@ -17,10 +17,10 @@ class vtkPointData;
 class vtkPoints;
 class vtkUnstructuredGrid;
 
-// The points of a grid and those added to it, with their arrays. A point in the middle of an edge or a face is known by
-// the points about it, so that cells on both sides share it. New values are weighted sums in double, and so polynomials
-// of the cell's degree come out exact. Arrays keep their type: integers are rounded to the nearest, within the range of
-// their component.
+// Holds the points of a grid and the points added to it, with their arrays. A point in the middle of an edge or a face
+// is identified by the points about it, so that cells on both sides share it. New values are weighted sums in double
+// precision, so polynomials up to the cell's degree are exact. Arrays keep their type: integers are rounded to the
+// nearest, within the range of their component.
 class NewNodes
 {
 public:
@@ -28,11 +28,11 @@ public:
 
 	explicit NewNodes(vtkUnstructuredGrid* grid);
 
-	// The cell of the file whose nodes the next ones are interpolated from.
+	// Takes the cell of the file from whose nodes the next ones are interpolated.
 	void enterCell(vtkIdList* points);
 
-	// The node between 2 to 4 others, ascending, or one of the cell's own inside it (more). `weights` gives the shape
-	// functions at the new node where it is needed.
+	// Returns the node between 2 to 4 others, which ascend. With more corners, the node lies inside the cell and is not
+	// shared. `weights` returns the shape functions at the new node, and is called only if needed.
 	template <class Weights>
 	vtkIdType between(std::span<const vtkIdType> corners, Weights&& weights)
 	{
@@ -44,8 +44,8 @@ public:
 		return known->second;
 	}
 
-	// Moves a point of the file to where the shape functions put it, and its values with it: a Bézier cell's points are
-	// handles, not places.
+	// Moves a point of the file, with its values, to where the shape functions put it: the points of a Bézier cell are
+	// control points, not places.
 	void place(vtkIdType point, std::span<const double> weights);
 
 	vp::Vec3 at(vtkIdType point) const;

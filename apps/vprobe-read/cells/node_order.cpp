@@ -21,7 +21,7 @@ constexpr double kClearlyShorter = 0.99;
 
 using Place = vp::grid::LatticePlace;
 
-// VTK 9.1 and PyFR; VTK before 9.1 and MFEM; and both with the order of Lagrange triangles.
+// The orders of VTK 9.1 and PyFR, and of VTK before 9.1 and MFEM; then both with the order of Lagrange triangles.
 constexpr std::array<vp::grid::WedgeHabit, 4> kWedgeHabits = {
     {{false, false}, {false, true}, {true, false}, {true, true}}};
 
@@ -83,7 +83,7 @@ NodeOrder::NodeOrder(std::uint8_t type, const std::array<int, 3>& degrees, std::
 
 void NodeOrder::weigh(std::span<const Vec3> nodes)
 {
-	// A cell with such a node is left out. It has no say in the order of the others.
+	// A cell with a node that is no place is left out. It does not affect the order of the others.
 	const auto is_place = [](const Vec3& at)
 	{ return vp::read::isPlace(at.x) && vp::read::isPlace(at.y) && vp::read::isPlace(at.z); };
 	if (!std::ranges::all_of(nodes, is_place))

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-// The order in which the file lists the nodes of one kind of Lagrange or Bezier cell. Writers differ, and the version
-// of the file does not tell them apart (docs/CORRECTNESS.md). So the places of the nodes tell: in the right order the
-// neighbors in the cell's lattice are neighbors in space, and the links between them are short.
+// Finds the order in which the file lists the nodes of one kind of Lagrange or Bezier cell. Writers differ, and the
+// file's version does not tell them apart (docs/CORRECTNESS.md). So this looks at the places of the nodes: in the right
+// order, neighbors in the cell's lattice are neighbors in space, and the links between them are short.
 class NodeOrder
 {
 public:
@@ -17,14 +17,14 @@ public:
 	// `at` gives the place of each node in VTK's order, from 0 to 1.
 	NodeOrder(std::uint8_t type, const std::array<int, 3>& degrees, std::span<const vp::Vec3> at);
 
-	// Whether writers differ about this kind.
+	// Returns true if writers differ about this kind.
 	bool isDoubtful() const { return !orders_.empty(); }
 
-	// Weighs the orders by a cell of the file.
+	// Measures the orders on a cell of the file.
 	void weigh(std::span<const vp::Vec3> nodes);
 
-	// For each node of VTK's order, its position in the file's list. The order with the shortest links, or VTK's where
-	// others are no better.
+	// Returns for each node of VTK's order its position in the file's list. This is the order with the shortest links,
+	// or VTK's if no other is better.
 	const std::vector<int>& best() const;
 	bool isVtk() const { return &best() == orders_.data(); }
 

@@ -13,7 +13,7 @@
 namespace
 {
 
-// How many of a cell's points are its corners, which come first; 0 for what is no polygon.
+// Returns how many of a cell's points are its corners, which come first. Returns 0 if the cell is not a polygon.
 vtkIdType cornersOf(int type, vtkIdType points)
 {
 	switch (type)

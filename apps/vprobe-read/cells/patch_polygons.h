@@ -6,5 +6,5 @@
 
 class vtkPointSet;
 
-// The two-dimensional cells of a data set as polygons over their corners, for the manifest; null where there are none.
+// Describes the two-dimensional cells of a data set as polygons over their corners. Returns null if there are none.
 nlohmann::json describePolygons(ArrayWriter& writer, vtkPointSet* data);

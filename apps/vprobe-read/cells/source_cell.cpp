@@ -23,7 +23,7 @@ using vp::Vec3;
 namespace
 {
 
-// For a hexahedron of this degree there is room in refine::CellKind; VTK has no more either.
+// refine::CellKind has room for a hexahedron of this degree. VTK supports no higher degree either.
 constexpr int kMaxDegree = 10;
 
 bool hasDegrees(std::uint8_t type)
@@ -52,7 +52,7 @@ vtkIdType pointsOfDegrees(std::uint8_t type, const std::array<int, 3>& degrees)
 	return isHexahedron(type) ? a * b * c : a * (a + 1) / 2 * c;
 }
 
-// Of the quadratic types, whose number is fixed; 0 for others.
+// Returns the number of points of a quadratic type, which is fixed, or 0 for other types.
 vtkIdType fixedPoints(std::uint8_t type)
 {
 	switch (type)
@@ -140,7 +140,7 @@ std::array<int, 3> SourceCells::degreesOf(vtkIdType cell, std::uint8_t type, vtk
 {
 	std::array<int, 3> degrees = {0, 0, 0};
 	vtkDataArray* given = grid_->GetCellData()->GetHigherOrderDegrees();
-	// Lagrange cells with points in the middle of faces, which take part in neither degree.
+	// Some Lagrange cells have points in the middle of faces. They do not belong to any degree.
 	const bool with_middles =
 	    type == VTK_LAGRANGE_TETRAHEDRON ? points == 15 : type == VTK_LAGRANGE_WEDGE && points == 21;
 	if (with_middles)

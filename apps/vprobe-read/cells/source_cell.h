@@ -22,14 +22,15 @@ class vtkIdList;
 class vtkUnsignedCharArray;
 class vtkUnstructuredGrid;
 
-// Cells whose shape functions are not linear: quadratic, Lagrange and Bézier.
+// Returns true for cells whose shape functions are not linear: quadratic, Lagrange and Bézier.
 bool isCurved(std::uint8_t type);
 
-// Some writers give the arrays of degrees and of rational weights their names, and do not say what they are for.
+// Finds the arrays of degrees and of rational weights by their names. Some writers do not say what they are for.
 void findShapeArrays(vtkUnstructuredGrid* grid);
 
-// One kind of curved cell: how it is cut, and where its points lie in the cell's own coordinates. Those of a pyramid
-// run from its base square to (1/2, 1/2, 1), so that the middle of two places is the middle of the edge between them.
+// Describes one kind of curved cell: how it is split, and where its points lie in the cell's own coordinates. The
+// coordinates of a pyramid run from its base square to (1/2, 1/2, 1), so that the middle of two places is the middle of
+// the edge between them.
 struct CellKind
 {
 	CellSplit split;
@@ -46,14 +47,14 @@ public:
 	explicit SourceCells(vtkUnstructuredGrid* grid);
 	~SourceCells();
 
-	// `points` must live as long as the cell is looked at. Throws a Refusal where they, or the degrees, do not fit its
-	// type.
+	// Takes the next cell. `points` must live as long as the cell is in use. Throws a Refusal if the points or the
+	// degrees do not fit its type.
 	CellKind& enter(vtkIdType cell, std::uint8_t type, vtkIdList* points);
 
-	// The degrees of a Lagrange or Bezier cell, as enter() checks them.
+	// Returns the degrees of a Lagrange or Bezier cell, and checks them as enter() does.
 	std::array<int, 3> degreesOf(vtkIdType cell, std::uint8_t type, vtkIdType points) const;
 
-	// The shape functions of the cell entered last.
+	// Returns the shape functions of the cell that was entered last.
 	std::span<const double> weights(const vp::Vec3& at);
 
 private:
@@ -71,7 +72,7 @@ private:
 	vtkUnstructuredGrid* grid_;
 	std::map<KindKey, CellKind> kinds_;
 	std::map<std::uint8_t, vtkSmartPointer<vtkCell>> prototypes_;
-	// Of Lagrange and Bezier cells, of which VTK's take seconds for cells of degree 8.
+	// Shape functions of Lagrange and Bezier cells. VTK's own take seconds for cells of degree 8.
 	std::map<const CellKind*, std::unique_ptr<vp::refine::CellKind>> functions_;
 	std::uint8_t type_ = 0;
 	const CellKind* kind_ = nullptr;

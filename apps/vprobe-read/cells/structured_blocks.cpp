@@ -61,7 +61,7 @@ json writeTurnedImage(ArrayWriter& writer, vtkImageData* image)
 
 } // namespace
 
-// A direction matrix of ±1 on its diagonal turns no axis away from x, y and z: its signs go into the spacing.
+// If a direction matrix has ±1 on its diagonal, axes stay along x, y and z. The signs go into the spacing.
 bool isAxisAligned(vtkMatrix3x3* direction)
 {
 	for (int row = 0; row < 3; ++row)

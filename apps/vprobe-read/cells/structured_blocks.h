@@ -13,15 +13,15 @@ class vtkRectilinearGrid;
 class vtkStructuredGrid;
 class vtkPoints;
 
-// Whether an image is turned away from x, y and z by no more than its axes' signs.
+// Returns true if the axes of an image lie along x, y and z, up to their signs.
 bool isAxisAligned(vtkMatrix3x3* direction);
 
-// The part of a block's description that places its points.
+// These return the part of a block's description that places its points.
 nlohmann::json describeImage(ArrayWriter& writer, vtkImageData* image);
-// Of a piece of an image whose subscripts begin with `first`: the axes of a rectilinear grid.
+// Describes a piece of an image whose subscripts begin with `first` as a rectilinear grid.
 nlohmann::json describeImageOf(ArrayWriter& writer, vtkImageData* piece, const std::array<int, 3>& first);
 nlohmann::json describeRectilinear(ArrayWriter& writer, vtkRectilinearGrid* grid);
 nlohmann::json describeCurvilinear(ArrayWriter& writer, vtkStructuredGrid* grid);
 
-// Coordinates as float32 or float64, whatever they were.
+// Writes coordinates as float32 or float64, whatever type they had.
 nlohmann::json writeCoordinates(ArrayWriter& writer, vtkPoints* points);

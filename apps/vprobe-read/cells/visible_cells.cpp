@@ -39,7 +39,7 @@ public:
 
 	std::size_t cells() const { return (nx_ - 1) * (ny_ - 1) * (nz_ - 1); }
 
-	// visit(cell, its eight points in the order of a hexahedron)
+	// Calls visit(cell, its eight points in the order of a hexahedron).
 	template <class Visit>
 	void forEachCell(Visit&& visit) const
 	{

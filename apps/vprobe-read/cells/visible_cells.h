@@ -12,11 +12,11 @@ class vtkDataSet;
 // The bits of vtkGhostType on cells that mean "not to be shown": duplicate, refined, hidden.
 extern const unsigned char kHiddenCellBits;
 
-// One mark per cell of a lattice, non-zero where the cell is hidden: by its own ghost mark, or because one of its
-// points is blanked. Empty if nothing is hidden.
+// Returns one mark per cell of a lattice. It is not zero if the cell is hidden: by its own ghost mark, or because one
+// of its points is blanked. The list is empty if nothing is hidden.
 std::vector<unsigned char> hiddenCellsOf(vtkDataSet* lattice, const std::array<int, 3>& points);
 
-// A lattice with hidden cells as an unstructured block: its points, a hexahedron per visible cell, and an empty cell
-// per hidden one, so that point and cell arrays keep their numbering.
+// Describes a lattice with hidden cells as an unstructured block: its points, a hexahedron per visible cell, and an
+// empty cell per hidden one, so that point and cell arrays keep their numbering.
 nlohmann::json describeVisible(ArrayWriter& writer, vtkDataSet* lattice, const std::array<int, 3>& points,
                                const std::vector<unsigned char>& hidden);
