@@ -25,7 +25,7 @@ bool holdsOne(std::string_view text, std::initializer_list<std::string_view> sig
 	return std::ranges::any_of(signs, [&](std::string_view sign) { return text.find(sign) != text.npos; });
 }
 
-// The number behind a word, as "line 12".
+// Returns the number behind a word, as in "line 12".
 std::optional<std::string> numberAfter(std::string_view text, std::string_view word)
 {
 	const std::size_t at = text.find(word);
@@ -37,7 +37,7 @@ std::optional<std::string> numberAfter(std::string_view text, std::string_view w
 	return digits > 0 && digits < 12 ? std::optional(std::string(rest.substr(0, digits))) : std::nullopt;
 }
 
-// The first word that is a path.
+// Returns the first word that is a path.
 std::string pathIn(std::string_view text)
 {
 	for (std::size_t at = text.find('/'); at != text.npos; at = text.find('/', at + 1))
@@ -53,7 +53,7 @@ std::string pathIn(std::string_view text)
 	return {};
 }
 
-// What stands between double quotes: mostly the name of an array.
+// Returns the text between double quotes, which is mostly the name of an array.
 std::string quotedIn(std::string_view text)
 {
 	const std::size_t begin = text.find('"');
@@ -67,7 +67,7 @@ struct Meaning
 	std::string_view words;
 };
 
-// Told in the order of how much they say.
+// The most specific meanings come first.
 constexpr std::array kMeanings = {
     Meaning{"don't match", "a field has another size than the mesh"},
     Meaning{"do not match", "two of its parts that belong together have different sizes"},

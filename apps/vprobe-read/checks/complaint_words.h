@@ -3,10 +3,10 @@
 #include <string>
 #include <string_view>
 
-// A library's complaint speaks of its own insides, in its own words. These say what it means for the file.
+// A library's complaint speaks of its own internals, in its own words. These functions say what it means for the file.
 
-// Whether memory ran out. Then the file need not be damaged.
+// Returns true if memory ran out. Then the file may be good.
 bool tellsOfMemory(std::string_view complaint);
 
-// What is wrong, and where, as far as the complaint tells.
+// Returns what is wrong, and where, as far as the complaint says it.
 std::string inOurWords(std::string_view complaint);

@@ -31,7 +31,7 @@ std::size_t more_notes = 0;
 constexpr std::size_t kMaxNotes = 4;
 constexpr std::size_t kMaxNoteLength = 160;
 
-// Readers report these as mere warnings, or print them, and go on with values that were never read. docs/FORMATS.md
+// Readers report these only as warnings, or print them, and continue with values that were never read. docs/FORMATS.md
 // lists them by reader.
 constexpr std::array<std::string_view, 8> kLosesValues = {
     "Uncompress failed",            // MetaImage: packed data that are shown as 0
@@ -55,7 +55,7 @@ std::string wordsOf(std::string_view text)
 	while (!text.empty() && (text.back() == '\n' || text.back() == ' '))
 		text.remove_suffix(1);
 	std::string words(text);
-	// What a damaged file has in place of a name need not be text.
+	// A damaged file may have bytes in place of a name that are not text.
 	std::replace_if(
 	    words.begin(), words.end(), [](unsigned char c) { return c < 0x20 || c >= 0x7F; }, '?');
 	return words;

@@ -17,7 +17,7 @@ namespace
 // XML declarations and comments may stand before the element that names the type.
 constexpr std::size_t kHeadBytes = 4096;
 
-// Where a NIfTI header has its magic.
+// Offset of the magic in a NIfTI header.
 constexpr std::size_t kNiftiMagicAt = 344;
 
 } // namespace
@@ -71,7 +71,7 @@ bool FileHead::isTecplot() const
 	       (words.find("ZONE", variables) != words.npos || words.size() == kHeadBytes);
 }
 
-// Five counts, then a node: its number and three coordinates.
+// Looks for five counts, then a node: its number and three coordinates.
 bool FileHead::isUcd() const
 {
 	if (!isText())
@@ -92,13 +92,13 @@ bool FileHead::isUcd() const
 	return numbersIn(line) == 5 && line.find('.') == line.npos && std::getline(lines, line) && numbersIn(line) == 4;
 }
 
-// A 7, then counts whose bytes, in the one order or the other, are as many as the file has: see read_ucd_binary.cpp.
+// Looks for a 7, then counts that give the file's size in either byte order: see read_ucd_binary.cpp.
 bool FileHead::isBinaryUcd() const
 {
 	return starts("\7") && head_.size() >= 25 && ends({".inp", ".avs", ".ucd", ".dat"});
 }
 
-// "(0 "a comment")", "(1 "...")" or "(2 3)", and at some place nodes.
+// Looks for "(0 "a comment")", "(1 "...")" or "(2 3)" at the start, and for nodes anywhere.
 bool FileHead::isFluent() const
 {
 	const auto first = text().find_first_not_of(" \t\r\n");
@@ -114,7 +114,7 @@ bool FileHead::isSlc() const
 	return starts("11111") && head_.size() > 5 && std::isspace(static_cast<unsigned char>(head_[5]));
 }
 
-// 40 lines that begin with C, in EBCDIC or ASCII, then numbers: of these a known format of samples, and how many.
+// Looks for 40 lines that begin with C, in EBCDIC or ASCII, then for a known format of samples and their number.
 bool FileHead::isSegy() const
 {
 	constexpr std::size_t samples_at = 3220, format_at = 3224;

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-// What a format is recognized by: the first bytes of a file, its name, and what HDF5 and netCDF files hold.
+// Holds what formats are recognized by: the first bytes of a file, its name, and the names in HDF5 and netCDF files.
 class FileHead
 {
 public:
@@ -22,7 +22,7 @@ public:
 		return place < head_.size() && text().substr(place, bytes.size()) == bytes;
 	}
 	bool isBefore(std::string_view words, std::size_t place) const { return text().find(words) < place; }
-	// Endings of the file's name, in small letters.
+	// Returns true if the file's name has one of these endings, which are in small letters.
 	bool ends(std::initializer_list<std::string_view> endings) const;
 
 	bool isText() const;
@@ -41,8 +41,8 @@ public:
 	bool isXmlOfVtk() const { return has("<VTKFile"); }
 	bool namesFiles() const; // VTK XML that is an index of other files
 
-	// Whether an HDF5 file has a group, data set or attribute of this name at its root, or a netCDF file a dimension,
-	// variable or attribute. False for other files.
+	// Returns true if an HDF5 file has a group, data set or attribute of this name at its root, or if a netCDF file has
+	// a dimension, variable or attribute of this name. Returns false for other files.
 	bool holds(const std::string& name) const;
 	bool holdsLike(const std::string& start) const; // a name that begins so
 
@@ -53,9 +53,9 @@ private:
 	mutable std::optional<std::set<std::string>> names_;
 };
 
-// The names of everything at the root of an HDF5 file; empty if HDF5 cannot open it. Only vprobe-read-more has HDF5:
-// vprobe-read becomes that program.
+// Returns the names of everything at the root of an HDF5 file, or none if HDF5 cannot open it. Only vprobe-read-more
+// has HDF5, so vprobe-read becomes that program.
 std::set<std::string> hdf5Names(const std::string& file);
 
-// The value of type="..." in the VTKFile element; empty where there is none.
+// Returns the value of type="..." in the VTKFile element. Empty if there is none.
 std::string xmlTypeOf(std::string_view head);

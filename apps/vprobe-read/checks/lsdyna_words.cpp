@@ -43,7 +43,7 @@ double LsdynaWords::real(std::size_t word) const
 	return width_ == 4 ? number<float>(word) : number<double>(word);
 }
 
-// The file's type, its dimensions, and the version of the program.
+// Checks the file's type, its dimensions, and the version of the program.
 bool LsdynaWords::hasHead() const
 {
 	if (count() < kControlWords)
@@ -128,7 +128,7 @@ LsdynaControl::LsdynaControl(const LsdynaWords& words)
 	                                 {55, "shells of 8 nodes"}})
 		if (words.integer(word) != 0)
 			throw Refusal(fmt::format("{}, which are not read; write the results of solids alone", what));
-	// Of its digits, the last two say more values of nodes: rates of temperature, residual forces.
+	// The last two digits say that nodes have more values: rates of temperature, residual forces.
 	if (countAt(56) % 100 != 0)
 		throw Refusal("rates of temperature or residual forces at nodes, which are not read");
 	if (dimensions < 4 || dimensions > 5 || has_ten_nodes)

@@ -6,24 +6,24 @@
 #include <string>
 #include <string_view>
 
-// The words of a d3plot file: of 4 or of 8 bytes, in either order.
+// Reads the words of a d3plot file. They have 4 or 8 bytes, in either byte order.
 class LsdynaWords
 {
 public:
 	// Throws a Refusal unless the first of the bytes are the control words of a d3plot file.
 	explicit LsdynaWords(std::string_view bytes);
-	// Those of another file of the same family.
+	// Reads the words of another file of the same family.
 	LsdynaWords(std::string_view bytes, const LsdynaWords& first);
 
-	// Where one begins in these bytes: -1 if they are none.
+	// Returns true if these bytes begin a d3plot file.
 	static bool isHead(std::string_view bytes);
 
 	std::size_t count() const { return bytes_.size() / width_; }
 	std::size_t width() const { return width_; }
-	// Throw a Refusal behind the end.
+	// These return a word. They throw a Refusal behind the end.
 	std::int64_t integer(std::size_t word) const;
 	double real(std::size_t word) const;
-	// Whether the word ends a part of the file.
+	// Returns true if the word ends a part of the file.
 	bool isEnd(std::size_t word) const { return word < count() && real(word) == -999999.0; }
 
 private:
@@ -36,7 +36,7 @@ private:
 	bool swapped_ = false;
 };
 
-// What the control words say, by the names of "LS-DYNA Database Binary Output Files" (LSTC).
+// Holds the control words, which "LS-DYNA Database Binary Output Files" (LSTC) describes.
 struct LsdynaControl
 {
 	std::int64_t dimensions, nodes, globals, has_temperature, has_places, has_velocities, has_accelerations;
@@ -46,21 +46,21 @@ struct LsdynaControl
 
 	explicit LsdynaControl(const LsdynaWords& words);
 
-	// Words of the mesh, from the control words on, and of each state.
+	// Return the number of words of the mesh, behind the control words, and of each state.
 	std::size_t geometryWords() const;
 	std::size_t stateWords() const;
 	std::size_t placesAt() const { return head_words_ + material_words_ + static_cast<std::size_t>(ale_materials); }
 	std::size_t solidsAt() const { return placesAt() + 3 * static_cast<std::size_t>(nodes); }
 	std::size_t thickShellsAt() const { return solidsAt() + solidWords() * static_cast<std::size_t>(solids); }
 
-	// In a state, from its time on.
+	// Return the number of words of a part of a state.
 	std::size_t temperatureWords() const;
 	std::size_t massWords() const { return has_temperature >= 10 ? 1 : 0; }
 	std::size_t nodesAt() const { return 1 + static_cast<std::size_t>(globals); }
 	std::size_t nodeWords() const;
 	std::size_t solidValuesAt() const;
 	std::size_t thickValuesAt() const;
-	// Which elements, or nodes, are deleted: 0 marks those. Behind all values.
+	// Says what the marks of deletion belong to. They follow all values, and 0 marks a deleted element or node.
 	enum class Deletion
 	{
 		none,
@@ -70,7 +70,7 @@ struct LsdynaControl
 	std::size_t deletionAt() const;
 
 private:
-	// Nine words, and two more for the nodes in the middles of edges.
+	// A solid takes nine words. Two more would be for nodes in the middle of edges.
 	std::size_t solidWords() const { return 9; }
 	std::size_t elementCount() const { return static_cast<std::size_t>(solids + thick_shells + shells + beams); }
 

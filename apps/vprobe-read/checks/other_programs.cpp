@@ -18,7 +18,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-// What meshio reads and this program does not.
+// A format that meshio reads and this program does not.
 struct OtherMesh
 {
 	std::string_view ending;

@@ -16,10 +16,10 @@
 namespace
 {
 
-// Behind the closing tag, some writers leave line ends or a comment.
+// Some writers leave line ends or a comment behind the closing tag.
 constexpr std::size_t kTailBytes = 1024;
 
-// The values of an attribute wherever it stands in the text.
+// Visits the values of an attribute wherever it stands in the text.
 template <class Visit>
 void forEachAttribute(std::string_view text, std::string_view name, Visit&& visit)
 {
@@ -47,8 +47,8 @@ std::string_view elementAt(std::string_view text, std::string_view start)
 	return at == text.npos ? std::string_view() : text.substr(at, text.find('>', at) - at);
 }
 
-// The arrays behind <AppendedData encoding="raw">. Each starts with its size in bytes; a compressed one with the number
-// of its blocks, their size, that of the last one, and what each takes compressed.
+// The arrays behind <AppendedData encoding="raw">. Each starts with its size in bytes. A compressed array starts with
+// the number of its blocks, their size, the size of the last one, and the compressed size of each.
 class RawArrays
 {
 public:
@@ -83,7 +83,7 @@ public:
 	}
 
 private:
-	// All ones past the end, which no size can be.
+	// Returns all ones past the end, which cannot be a size.
 	std::uint64_t takeWord(std::string_view& from) const
 	{
 		if (from.size() < word_bytes_)
@@ -154,7 +154,7 @@ void refuseShortXml(const std::string& file)
 	                 {
 		                 const std::string path = (std::filesystem::path(file).parent_path() / piece).string();
 		                 const MappedText text(path);
-		                 // A piece may not be an index itself, so that no circle is followed.
+		                 // A piece must not be an index itself, so that there can be no circle.
 		                 if (isIndexOfPieces(text.text()))
 			                 throw damaged("one of its pieces is an index of pieces");
 		                 refuseShort(text.text(), path);

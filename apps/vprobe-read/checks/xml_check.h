@@ -2,6 +2,6 @@
 
 #include <string>
 
-// Throws a Refusal where a VTK XML file, or a piece it names, was cut short, or where an appended array runs past its
-// end: VTK's readers then leave what happens to be in memory.
+// Throws a Refusal if a VTK XML file, or a piece that it names, was cut short, or if an appended array runs past its
+// end. In these cases VTK's readers return uninitialized memory.
 void refuseShortXml(const std::string& file);
