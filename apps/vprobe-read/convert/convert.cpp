@@ -43,7 +43,7 @@ std::string escaped(const std::string& text)
 	return words;
 }
 
-// VTK's writers put names into their files as they stand.
+// VTK's writers do not escape names in their files.
 void escapeNames(vtkFieldData* fields)
 {
 	static std::set<vtkAbstractArray*> done; // blocks may share arrays
@@ -63,7 +63,7 @@ void writeXml(vtkDataSet* data, const std::string& file)
 	writer->SetInputData(data);
 	writer->SetHeaderTypeToUInt64();
 	writer->EncodeAppendedDataOff();
-	// What the writer complains about is the place, not the input: that was read without a complaint.
+	// A complaint of the writer is about the place, not about the input, which was read without a complaint.
 	if (!writer->Write() || writer->GetErrorCode() != 0 || hasComplaint() || !fs::exists(file))
 		throw NoRoom(kNoRoom);
 }

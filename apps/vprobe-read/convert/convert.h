@@ -8,16 +8,16 @@
 class vtkDataSet;
 struct Request;
 
-// A data set that was read, with what it holds besides the cells that are shown.
+// A data set that was read, with everything that it holds besides the cells that are shown.
 struct KeptBlock
 {
 	std::string name;
 	vtkSmartPointer<vtkDataSet> data;
 };
 
-// Writes blocks in the VTK format that the ending of request.convert_to asks for. Throws a Refusal where that has no
-// such grids.
+// Writes blocks in the VTK format that the ending of request.convert_to asks for. Throws a Refusal if that format has
+// no such grids.
 void writeConverted(const std::vector<KeptBlock>& blocks, const Request& request);
 
-// The same for one block as VTKHDF, in vprobe-read-more.
+// Writes one block as VTKHDF. Only vprobe-read-more has this.
 void writeVtkHdf(vtkDataSet* data, const std::string& file);

@@ -39,7 +39,7 @@ public:
 		if (id_ >= 0)
 			close_(id_);
 	}
-	// What is still in memory is written now, and may find no room.
+	// Writes the data that are still in memory. There may be no room for them.
 	void close()
 	{
 		if (close_(std::exchange(id_, -1)) < 0)
@@ -112,7 +112,7 @@ void writeValues(hid_t group, const char* name, hid_t type, const std::vector<hs
 	checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
 }
 
-// `sides`: of the lattice, the slowest first, or the number of tuples.
+// `sides`: the sides of the lattice, the slowest first, or the number of tuples.
 void writeArrays(hid_t root, const char* name, vtkDataSetAttributes* fields, const std::vector<hsize_t>& sides)
 {
 	const Handle group(H5Gcreate2(root, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
