@@ -43,7 +43,7 @@ bool Hdf5File::hasLink(const std::string& path) const
 	const htri_t there = H5Lexists(file_, path.c_str(), H5P_DEFAULT);
 	if (there >= 0)
 		return there > 0;
-	// HDF5 says so of what a data set would hold, too.
+	// HDF5 would look into a data set as well, so the parent must be a group.
 	const std::string group = path.substr(0, path.rfind('/'));
 	const Hdf5Handle opened(H5Oopen(file_, group.empty() ? "/" : group.c_str(), H5P_DEFAULT), H5Oclose);
 	if (opened < 0 || H5Iget_type(opened) == H5I_GROUP)
@@ -63,7 +63,7 @@ bool Hdf5File::has(const std::string& path) const
 
 bool Hdf5File::isSet(const std::string& path) const
 {
-	// Not H5Oget_info_by_name(), which differs between versions of HDF5.
+	// H5Oget_info_by_name() differs between versions of HDF5, so it is not used.
 	if (!has(path))
 		return false;
 	const Hdf5Handle opened(H5Oopen(file_, path.c_str(), H5P_DEFAULT), H5Oclose);
@@ -109,7 +109,7 @@ std::vector<Number> Hdf5File::values(const std::string& path, hid_t type) const
 	const H5T_class_t kind = H5Tget_class(given);
 	if (kind != H5T_INTEGER && kind != H5T_FLOAT)
 		throw damaged(fmt::format("{} holds no numbers", path));
-	// A set that was never written would read as zeros.
+	// A data set that was never written would read as zeros.
 	H5D_space_status_t written = H5D_SPACE_STATUS_ERROR;
 	if (H5Dget_space_status(set, &written) < 0 || (written == H5D_SPACE_STATUS_NOT_ALLOCATED && count > 0))
 		throw damaged(fmt::format("{} was never written", path));
@@ -149,7 +149,7 @@ std::array<double, 2> Hdf5File::limitsOfType(const std::string& path) const
 	return {-std::ldexp(1.0, bits - 1), std::ldexp(1.0, bits - 1) - 1.0};
 }
 
-// An attribute that is there must be readable: what comes in its place would not be what the file means.
+// An attribute that exists must be readable: a default in its place would not be what the file means.
 bool Hdf5File::hasAttribute(const std::string& object, const char* attribute) const
 {
 	const htri_t there = has(object) ? H5Aexists_by_name(file_, object.c_str(), attribute, H5P_DEFAULT) : 0;

@@ -11,7 +11,8 @@
 
 #include <hdf5.h>
 
-// An HDF5 file that is read by paths. What is not there, or cannot be read, is a Refusal, but for the "Or" functions.
+// Reads an HDF5 file by paths. Throws a Refusal if something does not exist or cannot be read. The "Or" functions
+// return a default instead if it does not exist.
 class Hdf5File
 {
 public:
@@ -22,33 +23,34 @@ public:
 
 	bool has(const std::string& path) const;
 	bool isSet(const std::string& path) const; // and no group
-	// The names in a group, in the order of the alphabet; none where there is no group.
+	// Returns the names in a group, in alphabetical order, or none if there is no group.
 	std::vector<std::string> namesIn(const std::string& group) const;
 
-	// All values of a data set, as many as it has.
+	// Return all values of a data set.
 	std::vector<double> reals(const std::string& path) const;
 	std::vector<std::int64_t> integers(const std::string& path) const;
 	std::vector<std::uint64_t> sidesOf(const std::string& path) const;
 
-	// A data set of texts, without the blanks at their ends; none where there is no such set.
+	// Returns a data set of texts, without the blanks at their ends, or none if there is no such set.
 	std::vector<std::string> texts(const std::string& path) const;
-	// A table with the columns "name" and "value", of numbers; empty where there is none.
+	// Returns a table with the columns "name" and "value", whose values are numbers. Empty if there is none.
 	std::map<std::string, double> namedNumbers(const std::string& path) const;
-	// The same, of texts.
+	// Returns such a table whose values are texts.
 	std::map<std::string, std::string> namedTexts(const std::string& path) const;
-	// One column of the first row of a table.
+	// Returns one column of the first row of a table.
 	double columnOr(const std::string& path, const char* column, double otherwise) const;
 
-	// The type of a data set's numbers in memory; none for texts and the like.
+	// Returns the type of a data set's numbers in memory, or nothing if they are not numbers.
 	std::optional<vp::grid::NumberType> numberType(const std::string& path) const;
-	// A part of a data set, by the place where it begins and its length along each side. All is checked. `to` has room.
+	// Reads a part of a data set, given by its beginning and its length along each side. Checks both. `to` must have
+	// room.
 	void readSlab(const std::string& path, const std::vector<std::uint64_t>& begin,
 	              const std::vector<std::uint64_t>& count, vp::grid::NumberType type, void* to) const;
-	// So many whole numbers of a list, from one on.
+	// Returns `count` integers of a list, from `begin` on.
 	std::vector<std::int64_t> integersFrom(const std::string& path, std::uint64_t begin, std::uint64_t count) const;
 
 	bool isFloat(const std::string& path) const;
-	// The least and the greatest number that a data set of whole numbers can hold.
+	// Returns the least and the greatest number that a data set of integers can hold.
 	std::array<double, 2> limitsOfType(const std::string& path) const;
 
 	double realOr(const std::string& object, const char* attribute, double otherwise) const;

@@ -4,7 +4,7 @@
 
 #include <hdf5.h>
 
-// Closes what HDF5 has opened. Less than 0 where it has not.
+// Closes what HDF5 has opened. The handle is less than 0 if HDF5 could not open it.
 class Hdf5Handle
 {
 public:
@@ -23,7 +23,7 @@ private:
 	herr_t (*close_)(hid_t);
 };
 
-// The type in which HDF5 gives numbers to this machine.
+// Returns the type in which HDF5 delivers numbers on this machine.
 inline hid_t nativeType(vp::grid::NumberType type)
 {
 	using vp::grid::NumberType;

@@ -1,4 +1,4 @@
-// HDF5's data sets whose values lie elsewhere: "external storage" and "virtual data sets".
+// HDF5 has data sets whose values lie elsewhere: "external storage" and "virtual data sets".
 #include "hdf5_parts.h"
 
 #include "vprobe-read/base/refusal.h"
@@ -32,7 +32,7 @@ bool isFile(const fs::path& path)
 	return fs::is_regular_file(path, ignored);
 }
 
-// Beside the file, or else from the folder that the program runs in. Nothing where it is at neither place.
+// Looks for a file beside the HDF5 file, and then in the current folder. Returns nothing if it is at neither place.
 std::optional<fs::path> foundFile(const fs::path& name, hid_t object)
 {
 	for (const fs::path& path : {fileOf(object).parent_path() / name, name})
@@ -95,7 +95,7 @@ void refuseMissingSources(hid_t set, hid_t properties, const std::string& path)
 	{
 		const std::string name = virtualName(properties, i, H5Pget_virtual_filename);
 		const std::string source = virtualName(properties, i, H5Pget_virtual_dsetname);
-		// "%b" stands for a number of files that grows.
+		// "%b" stands for a growing number of files.
 		if (name.find('%') != name.npos || source.find('%') != source.npos || !known.emplace(name, source).second)
 			continue;
 		const auto file = name == "." ? fileOf(set) : foundFile(name, set);

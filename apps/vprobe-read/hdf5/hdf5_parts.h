@@ -5,16 +5,16 @@
 
 #include <string>
 
-// Opens a data set. Values that lie in other files are looked for beside this one first. Less than 0 where HDF5 cannot
-// open it.
+// Opens a data set. Looks for values that lie in other files beside this one first. The handle is less than 0 if HDF5
+// cannot open it.
 Hdf5Handle openedSet(hid_t file, const std::string& path);
 
-// Throws a Refusal where values of a data set lie in another file that is missing or too short, which HDF5 would give
-// as zeros and without a word.
+// Throws a Refusal if values of a data set lie in another file that is missing or too short. HDF5 would return zeros
+// for them, without an error.
 void refuseMissingParts(hid_t set, const std::string& path);
 
-// The same for all data sets of a file that another library reads through HDF5. Nothing for files of other formats.
+// Does the same for all data sets of a file that another library reads through HDF5. Does nothing for other formats.
 void refuseMissingParts(const std::string& file);
 
-// Why a data set could not be read: damaged, or packed by a filter that HDF5 does not bring.
+// Returns why a data set could not be read: it is damaged, or packed by a filter that HDF5 does not have.
 Refusal unreadSet(hid_t set, const std::string& path);

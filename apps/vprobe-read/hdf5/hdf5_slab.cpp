@@ -1,4 +1,4 @@
-// Parts of data sets.
+// Reads parts of data sets.
 #include "hdf5_file.h"
 #include "hdf5_parts.h"
 #include "vprobe-read/base/refusal.h"
@@ -51,7 +51,7 @@ void Hdf5File::readSlab(const std::string& path, const std::vector<std::uint64_t
 	if (is_empty)
 		return;
 	const Hdf5Handle set = openedSet(file_, path);
-	// A set that was never written would read as zeros.
+	// A data set that was never written would read as zeros.
 	H5D_space_status_t written = H5D_SPACE_STATUS_ERROR;
 	if (H5Dget_space_status(set, &written) < 0 || written == H5D_SPACE_STATUS_NOT_ALLOCATED)
 		throw damaged(fmt::format("{} was never written", path));
@@ -72,7 +72,7 @@ std::vector<std::int64_t> Hdf5File::integersFrom(const std::string& path, std::u
 	if (sides.empty() || begin > sides[0] || count > sides[0] - begin) // before memory is taken
 		throw damaged(fmt::format("{} has fewer values than are asked of it", path));
 	std::vector<std::int64_t> numbers(count);
-	// A table of one column counts as a list.
+	// A data set with one column counts as a list.
 	std::vector<std::uint64_t> first(sides.size(), 0), length(sides.size(), 1);
 	first[0] = begin;
 	length[0] = count;

@@ -1,4 +1,4 @@
-// What an HDF5 file has in data sets of texts and in tables with columns.
+// Reads data sets of texts, and tables with columns, from HDF5 files.
 #include "hdf5_file.h"
 #include "hdf5_handle.h"
 #include "vprobe-read/base/refusal.h"
@@ -11,7 +11,7 @@
 namespace
 {
 
-// Of texts and of rows: there are few of them, and none is long.
+// Limits for texts and rows: there are few of them, and none is long.
 constexpr hssize_t kMostRows = 1 << 16;
 constexpr std::size_t kMostBytesOfRow = 1 << 16;
 
@@ -23,7 +23,7 @@ std::string withoutBlanks(const char* text, std::size_t bytes)
 	return words;
 }
 
-// A data set, as far as it is there and may be read whole.
+// A data set that may be read as a whole, if it exists.
 struct Hdf5Rows
 {
 	Hdf5Handle set;
@@ -43,7 +43,7 @@ struct Hdf5Rows
 		count = type < 0 ? 0 : static_cast<std::size_t>(points);
 	}
 	bool is(H5T_class_t kind) const { return type >= 0 && H5Tget_class(type) == kind; }
-	// -1 where there is no such column.
+	// Returns -1 if there is no such column.
 	int column(const char* name) const { return is(H5T_COMPOUND) ? H5Tget_member_index(type, name) : -1; }
 	std::vector<char> read(hid_t as, std::size_t width, const std::string& path) const
 	{
@@ -54,7 +54,7 @@ struct Hdf5Rows
 	}
 };
 
-// The column, where its values are texts of a fixed length, or numbers.
+// Returns the type of the column if its values are texts of a fixed length, or numbers.
 Hdf5Handle columnType(const Hdf5Rows& rows, const char* name, bool is_text)
 {
 	const int at = rows.column(name);
@@ -67,7 +67,7 @@ Hdf5Handle columnType(const Hdf5Rows& rows, const char* name, bool is_text)
 	return {fits ? type : -1, H5Tclose};
 }
 
-// Calls use(NAME, BYTES) for each row of a table with "name" and a "value" of a type.
+// Calls use(NAME, BYTES) for each row of a table with a "name" and a "value" of this type.
 template <class Use>
 void eachNamed(const Hdf5Rows& rows, const std::string& path, hid_t value_type, Use&& use)
 {

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-// A netCDF file that is read by the library. What fails is a Refusal.
+// Reads a netCDF file with the library. Throws a Refusal if a call fails.
 class NetcdfFile
 {
 public:
@@ -27,15 +27,15 @@ public:
 			throw damaged(fmt::format("netCDF says: {}", nc_strerror(status)));
 	}
 	int id() const { return id_; }
-	// The stored values of a part, in the variable's type. `to` has room.
+	// Reads the stored values of a part, in the variable's type. `to` must have room.
 	virtual void readSlab(int variable, const std::vector<std::size_t>& starts, const std::vector<std::size_t>& counts,
 	                      void* to) const
 	{
 		check(nc_get_vara(id_, variable, starts.data(), counts.data(), to));
 	}
-	// Whether values that nobody wrote have the type's own fill value.
+	// Returns true if values that nobody wrote have the type's own fill value.
 	virtual bool marksUnwritten() const { return true; }
-	// Of a dimension; 0 where there is none.
+	// Returns the length of a dimension, or 0 if there is none.
 	std::size_t length(const char* dimension) const
 	{
 		int found = -1;
@@ -64,13 +64,13 @@ public:
 		}
 		return all;
 	}
-	// -1 where there is none.
+	// Returns the number of a variable, or -1 if there is none.
 	int variable(const char* name) const
 	{
 		int variable = -1;
 		return nc_inq_varid(id_, name, &variable) == NC_NOERR ? variable : -1;
 	}
-	// Nothing where the attribute is a text, or is not there.
+	// Returns the numbers of an attribute, or none if it is a text or does not exist.
 	std::vector<double> numbers(int variable, const char* attribute) const
 	{
 		const auto [type, count] = attributeOf(variable, attribute);
@@ -80,7 +80,7 @@ public:
 		check(nc_get_att_double(id_, variable, attribute, values.data()));
 		return values;
 	}
-	// NC_NAT where there is none.
+	// Returns the type and the length of an attribute. The type is NC_NAT if there is none.
 	std::pair<nc_type, std::size_t> attributeOf(int variable, const char* attribute) const
 	{
 		std::pair<nc_type, std::size_t> found(NC_NAT, 0);
@@ -89,7 +89,7 @@ public:
 			return {NC_NAT, 0};
 		return found;
 	}
-	// A text of the classic kind, or the first of a list of strings.
+	// Returns an attribute that is a text of the classic kind, or the first string of a list.
 	std::string text(int variable, const char* attribute) const
 	{
 		const auto [type, count] = attributeOf(variable, attribute);
@@ -124,7 +124,7 @@ public:
 		}
 		return all;
 	}
-	// All of a variable, or what it has at one index of its first dimension.
+	// Returns all values of a variable, or those at one index of its first dimension.
 	std::vector<double> values(int variable, std::optional<std::size_t> at = std::nullopt) const
 	{
 		const auto sides = dimensions(variable);
