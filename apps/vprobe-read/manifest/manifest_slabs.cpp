@@ -1,4 +1,4 @@
-// Slabs of a lattice: some layers of its cells, with the points that they need.
+// Adds slabs of a lattice: some layers of its cells, with the points that they need.
 #include "manifest_writer.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/cells/structured_blocks.h"
@@ -13,7 +13,8 @@
 namespace
 {
 
-// What kind of lattice a data set is, and its points; null where it is none whose layers can be told apart.
+// Returns the kind of lattice that a data set is, and its points. Returns null if it is not a lattice that has separate
+// layers.
 const char* latticeOf(vtkDataSet* data, std::array<int, 3>& points)
 {
 	if (auto* image = vtkImageData::SafeDownCast(data))
@@ -55,7 +56,7 @@ void ManifestWriter::addLone(vtkDataObject* object)
 		add(object);
 }
 
-// False, and no part begun, where it is no lattice that comes apart.
+// Returns false, without beginning a part, if the data set is not a lattice that can be split.
 bool ManifestWriter::addSlab(vtkDataSet* data)
 {
 	std::array<int, 3> points = {0, 0, 0};

@@ -41,7 +41,7 @@ using vp::grid::NumberType;
 namespace
 {
 
-// vtkIdType and the longs have 64 bits in every VTK we are built against; strings, bits and variants have no number
+// vtkIdType and the longs have 64 bits in every VTK we are built against. Strings, bits and variants have no number
 // type.
 std::optional<NumberType> numberTypeOf(vtkDataArray* array)
 {
@@ -85,7 +85,7 @@ std::string typeName(std::uint8_t type)
 	return std::string(name);
 }
 
-// Bits become bytes. Null for texts.
+// Turns bits into bytes. Returns null for texts.
 vtkSmartPointer<vtkDataArray> withBytesForBits(vtkDataArray* array)
 {
 	if (!array || array->GetDataType() != VTK_BIT)
@@ -95,13 +95,13 @@ vtkSmartPointer<vtkDataArray> withBytesForBits(vtkDataArray* array)
 	return bytes;
 }
 
-// As VTK's files carry them, or null.
+// Returns the units in the way that VTK's files store them, or null.
 const char* unitsOf(vtkDataArray* array)
 {
 	return array->HasInformation() ? array->GetInformation()->Get(vtkDataArray::UNITS_LABEL()) : nullptr;
 }
 
-// The Exodus reader has words for a set that has a number alone.
+// The Exodus reader makes up a name for a set that has only a number.
 std::string nameOf(std::string_view patch)
 {
 	constexpr std::string_view unnamed = "Unnamed set ID: ";
@@ -205,7 +205,7 @@ void ManifestWriter::addImageOf(vtkImageData* piece, const std::array<int, 3>& f
 	addBlock("", std::move(block));
 }
 
-// A reader may use its data set again for the next file.
+// Keeps a copy, since a reader may use its data set again for the next file.
 void ManifestWriter::keep(const std::string& name, vtkDataSet* data)
 {
 	const auto copy = vtkSmartPointer<vtkDataSet>::Take(data->NewInstance());
@@ -237,8 +237,8 @@ bool ManifestWriter::addQuickly(const std::string& file, int threads, const std:
 	return true;
 }
 
-// False where there is nothing to show: for flat lattices, for kinds of data sets that never hold three-dimensional
-// cells, and where all cells are hidden.
+// Returns false if there is nothing to show: for flat lattices, for kinds of data sets that never hold
+// three-dimensional cells, and if all cells are hidden.
 bool ManifestWriter::describeLattice(vtkDataSet* data, json& block)
 {
 	std::array<int, 3> points = {0, 0, 0};
@@ -280,7 +280,7 @@ json describeLeftOut(const char* association, const std::string& name, NumberTyp
 	        {"left_out", true}};
 }
 
-// The same data set without the arrays that nobody asked for; these are described.
+// Returns the data set without the arrays that nobody asked for. Describes these in `left_out`.
 vtkSmartPointer<vtkDataSet> ManifestWriter::withWishedArrays(vtkDataSet* given, json& left_out) const
 {
 	const auto data = vtkSmartPointer<vtkDataSet>::Take(given->NewInstance());

@@ -19,40 +19,40 @@ class vtkDataObject;
 class vtkDataSet;
 class vtkImageData;
 
-// An array that is not handed over.
+// Describes an array that is not handed over.
 nlohmann::json describeLeftOut(const char* association, const std::string& name, vp::grid::NumberType type,
                                int components);
 
-// Turns what a reader gave into blocks of the manifest, arrays and all.
+// Turns the data sets of a reader into blocks of the manifest, with their arrays.
 class ManifestWriter
 {
 public:
 	// `refine`: how many times the linear parts of curved cells are halved, or a tolerance. `keeps`: whether kept() is
-	// wanted. `parts`: those to hand over.
+	// needed. `parts`: the parts to hand over.
 	ManifestWriter(double refine, ArrayWish wish, bool keeps, PartFilter parts = {})
 	    : refine_(refine), wish_(std::move(wish)), keeps_(keeps), parts_(std::move(parts))
 	{
 	}
 
-	// Reads a file without VTK and adds its block. False, and nothing added, where it is left to VTK. Offers the
-	// file's times too.
-	// layers: those of a lattice that are wanted; none: all.
+	// Reads a file without VTK and adds its block. Offers the file's times too. Returns false, and adds nothing, if the
+	// file is left to VTK. layers: the wanted layers of a lattice; without a value, all layers.
 	bool addQuickly(const std::string& file, int threads, const std::optional<CellLayers>& layers = {});
-	// The same for an object that is all of its file, which may come apart into slabs.
+	// Adds an object that is alone in its file. It may be split into slabs.
 	void addLone(vtkDataObject* object);
-	// Layers of an image, a rectilinear or a curvilinear grid; its part has been begun.
+	// Adds layers of an image, or of a rectilinear or curvilinear grid. Its part has been begun.
 	void addLayers(vtkDataObject* object, const CellLayers& layers);
 	// Every data set in `object` that holds three-dimensional cells becomes a block.
 	void add(vtkDataObject* object);
-	// A piece of an image whose subscripts begin with `first`, as a rectilinear block: its points have the places that
-	// they have in the whole, to the last bit.
+	// Adds a piece of an image whose subscripts begin with `first`, as a rectilinear block: its points have exactly the
+	// places that they have in the whole image.
 	void addImageOf(vtkImageData* piece, const std::array<int, 3>& first);
 	PartFilter& parts() { return parts_; }
-	// The data sets of polygons in `object` become patches of the boundary, by their names. Any object, and none.
+	// Adds the data sets of polygons in `object` as patches of the boundary, by their names. The object may be of any
+	// kind, or null.
 	void addPatches(vtkDataObject* object);
-	// An array of the next data set that was not read, as describeLeftOut() says.
+	// Notes an array of the next data set that was not read, as describeLeftOut() describes it.
 	void noteLeftOut(nlohmann::json array) { left_out_.push_back(std::move(array)); }
-	// Goes before the names of the blocks added from now on.
+	// Sets the prefix for the names of blocks that are added from now on.
 	void setPrefix(std::string prefix) { prefix_ = std::move(prefix); }
 	void offerTimes(std::vector<double> times) { times_ = std::move(times); }
 	void setLengthUnits(std::string units) { length_units_ = std::move(units); }
@@ -60,10 +60,10 @@ public:
 	void warn(std::string line) { warnings_.push_back(std::move(line)); }
 
 	bool isEmpty() const { return blocks_.empty(); }
-	// The data sets that became blocks.
+	// Returns the data sets that became blocks.
 	const std::vector<KeptBlock>& kept() const { return kept_; }
 
-	// The manifest. Throws a Refusal if there is nothing to slice.
+	// Returns the manifest. Throws a Refusal if there is nothing to slice.
 	std::string finish();
 
 private:

@@ -6,7 +6,7 @@ class ManifestWriter;
 class vtkAbstractArray;
 class vtkDataSetAttributes;
 
-// Adds an array. If its name is taken, or empty, it gets one of its own, and a warning tells it: VTK would keep one of
+// Adds an array. If its name is taken, or empty, it gets a name of its own, with a warning: VTK would keep only one of
 // two arrays that have the same name. association: "point" or "cell".
 void addUnderOwnName(vtkDataSetAttributes* fields, vtkAbstractArray* array, const char* association,
                      ManifestWriter& manifest);

@@ -6,9 +6,9 @@
 class ManifestWriter;
 class vtkFieldData;
 
-// A name that none of the arrays has: `name`, or "name 2" and so on where there is one already, with a warning. VTK
-// would drop the first of them.
+// Returns a name that none of the arrays has: `name`, or "name 2" and so on, with a warning, if it is taken. VTK would
+// drop the first of two arrays with the same name.
 std::string ownName(vtkFieldData* arrays, const std::string& name, ManifestWriter& manifest);
 
-// The same for all names of a list.
+// Does the same for all names of a list.
 void makeOwnNames(std::vector<std::string>& names, ManifestWriter& manifest);

@@ -19,7 +19,8 @@
 namespace
 {
 
-// Of ascending times. Not by the least distance: far from all of them, they are equally far in floating point.
+// Returns the nearest of ascending times. It does not compare distances, because far from all times these are equal in
+// floating point.
 std::size_t nearest(const std::vector<double>& times, double wanted)
 {
 	const auto above = std::lower_bound(times.begin(), times.end(), wanted);

@@ -8,24 +8,24 @@
 class ManifestWriter;
 class vtkAlgorithm;
 
-// Finite times, ascending and each once.
+// Returns the finite times, ascending and each once.
 std::vector<double> inOrder(std::vector<double> times);
 
-// Steps of a file whose times may descend, be unsorted or equal.
+// Steps of a file in the order of their times. The file's times may descend, be unsorted or equal.
 struct StepsInTime
 {
 	std::vector<double> times;      // ascending, one for each step
 	std::vector<std::size_t> steps; // of the file, in the same order
 };
-// Numbers the steps where a time is no number, and tells so.
+// Sorts the steps. If a time is not a number, numbers the steps instead, and warns about it.
 StepsInTime stepsInTime(const std::vector<double>& times, ManifestWriter& manifest);
 
-// Chooses among the times of a file's steps, in whatever order they are, and offers them. Returns the step in the order
-// of the file; none if there are no times.
+// Chooses among the times of a file's steps, in whatever order they are, and offers them. Returns the step's number in
+// the file, or nothing if there are no times.
 std::optional<std::size_t> offerSteps(const std::vector<double>& times, const Request& request,
                                       ManifestWriter& manifest);
 
-// Times of several lists that belong together: each as often as in the list that has it most often.
+// Unites several lists of times. Each time occurs as often as in the list that has it most often.
 std::vector<double> unitedTimes(const std::vector<std::vector<double>>& lists);
 
 // A time, and how many equal ones come before it in a list.
@@ -34,19 +34,20 @@ struct TimeInList
 	double time = 0.0;
 	std::size_t repeat = 0;
 
-	// The place in a list: where it has the time less often, the last one. None where it is not there.
+	// Returns the place in a list. If the list has the time less often, returns its last place. Returns nothing if the
+	// list does not have the time.
 	std::optional<std::size_t> placeIn(const std::vector<double>& list) const;
 };
-// Chooses among united times; none if there are none.
+// Chooses among united times. Returns nothing if there are none.
 std::optional<TimeInList> chooseInLists(const std::vector<double>& united, const Request& request);
 
-// Which of ascending times is asked for; of equal ones the first, or the last where that is asked for. Throws a Refusal
-// for an index past the last.
+// Returns the index of the requested time among ascending times. Among equal times it is the first, or the last if the
+// last time is requested. Throws a Refusal for an index past the last.
 std::size_t chooseStep(const std::vector<double>& times, const Request& request);
-// That time.
+// Returns that time.
 double chooseTime(const std::vector<double>& times, const Request& request);
 
-// The same for any times; none if there are none. Throws a Refusal for an index then.
+// Does the same for times in any order. Returns nothing if there are no times; then an index throws a Refusal.
 std::optional<double> chooseIfAny(const std::vector<double>& times, const Request& request);
 
 // Updates a reader at the time asked for, and offers all of its times. Returns the chosen one, if it has any. Throws a
