@@ -37,7 +37,7 @@ const XmlElement& listOf(const QuickPiece& piece, std::string_view name)
 	return *found;
 }
 
-// Calls work(begin, std::span<const T>) for the first numbers of an array, part by part, with T what the file has.
+// Calls work(begin, std::span<const T>) for the first numbers of an array, part by part. T is the file's type.
 template <class Work>
 void addIds(const QuickFile& file, const XmlElement& array, std::uint64_t count, Tasks& tasks, Work work)
 {
@@ -133,7 +133,7 @@ private:
 	void count(std::span<const std::uint8_t> types, std::mutex& mutex)
 	{
 		std::array<std::size_t, 256> counts{};
-		// Mostly, all are alike.
+		// Mostly, all types are the same.
 		if (std::equal(types.begin() + 1, types.end(), types.begin()))
 			counts[types[0]] = types.size();
 		else
@@ -144,7 +144,7 @@ private:
 			kinds_[type] += counts[type];
 	}
 
-	// Cells to slice, and flat ones.
+	// Counts the cells to slice, and flat ones.
 	void chooseKinds()
 	{
 		std::size_t left = 0;
@@ -165,7 +165,7 @@ private:
 			throw NotQuick();
 	}
 
-	// That the offsets are those of cells of one size, one behind the other.
+	// Checks that the offsets belong to cells of one size, one after the other.
 	void compareOffsets(std::uint64_t size)
 	{
 		for (const QuickPiece& piece : pieces_)
@@ -181,7 +181,7 @@ private:
 			       });
 	}
 
-	// Files have the ends of the cells' lists, by piece.
+	// Reads the offsets. Files store the ends of the cells' lists, for each piece separately.
 	void readOffsets(std::vector<std::uint64_t>& ids)
 	{
 		std::vector<std::int64_t> offsets(cells_ + 1);
@@ -203,7 +203,7 @@ private:
 			{
 				const std::int64_t end = offsets[c + 1];
 				const int wanted = slicedCellSize(types_[c]);
-				// The list of any cell fits behind the largest offset that can come.
+				// With this limit, the list of any further cell still fits into the type.
 				if (end < last || end >= std::int64_t(1) << 60 || (wanted > 0 && end - last != wanted))
 					throw NotQuick();
 				last = end;
@@ -238,7 +238,7 @@ private:
 				       std::int32_t* to = narrow.data();
 				       for (std::size_t i = 0; i < given.size(); ++i)
 				       {
-					       // Without sign, so that any id may be added to.
+					       // The id is unsigned, so that the sum cannot overflow.
 					       const std::uint64_t id =
 					           static_cast<std::uint64_t>(given[i]) + static_cast<std::uint64_t>(first_point);
 					       high |= id;

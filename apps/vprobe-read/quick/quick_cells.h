@@ -19,7 +19,7 @@ struct QuickPiece
 	std::uint64_t all_cells = cells;
 };
 
-// The cell lists of the pieces, one behind the other. Throws NotQuick. What is added to the tasks writes the rest.
+// Returns the cell lists of the pieces, one after the other. Throws NotQuick. The added tasks write the rest.
 struct QuickCells
 {
 	nlohmann::json lists;
@@ -28,7 +28,7 @@ struct QuickCells
 QuickCells readQuickCells(const QuickFile& file, const std::vector<QuickPiece>& pieces, ArrayWriter& writer,
                           Tasks& tasks);
 
-// Bytes of an array.
+// A range of bytes of an array.
 struct ByteRange
 {
 	std::uint64_t first = 0;
@@ -36,6 +36,6 @@ struct ByteRange
 	std::uint64_t all = 0; // of the array
 };
 
-// Adds the copying of some bytes of an array to a place in the shared memory.
+// Adds tasks that copy some bytes of an array to a place in the shared memory.
 void copyArray(const QuickFile& file, const XmlElement& array, const ByteRange& range, ArrayWriter& writer,
                std::size_t at, Tasks& tasks);

@@ -11,8 +11,8 @@
 #include <string>
 #include <string_view>
 
-// What the quick way needs of a VTK XML file: its elements, and its arrays by their elements. All of it throws NotQuick
-// where the file is none that the quick way takes.
+// Gives the quick reader a VTK XML file: its elements, and its arrays by their elements. All functions throw NotQuick
+// if the quick reader does not support the file.
 class QuickFile
 {
 public:
@@ -22,9 +22,9 @@ public:
 	QuickFile& operator=(const QuickFile&) = delete;
 
 	std::string_view type() const { return xml_.root.attribute("type"); }
-	// The element that is named like the type, and so holds the pieces.
+	// Returns the element that is named like the file's type, and so holds the pieces.
 	const XmlElement& data() const;
-	// An array of so many bytes.
+	// Opens an array of so many bytes.
 	std::shared_ptr<const PackedArray> open(const XmlElement& array, std::uint64_t bytes) const;
 
 private:
@@ -33,17 +33,17 @@ private:
 	Packing packing_;
 };
 
-// How the arrays of a file are packed. Throws NotQuick for what is unknown.
+// Returns how the arrays of a file are packed. Throws NotQuick if that is unknown.
 Packing packingOf(const XmlElement& root);
 
-// An array that is appended, or stands inline as base64.
+// Opens an array that is appended, or stands inline as base64.
 std::shared_ptr<const PackedArray> openPacked(int file, const XmlFile& xml, const Packing& packing,
                                               const XmlElement& array);
 
-// "Float64", as files write it; none for what is no type of numbers.
+// Returns the type that files write as "Float64", for example. Returns nothing if it is not a number type.
 std::optional<vp::grid::NumberType> numberTypeOfXml(std::string_view word);
 
-// The number type and components of a DataArray. Throws NotQuick for others than numbers.
+// The number type and components of a DataArray. Throws NotQuick if the array does not hold numbers.
 struct ArrayKind
 {
 	explicit ArrayKind(const XmlElement& array);
@@ -57,7 +57,7 @@ struct ArrayKind
 // Throws NotQuick unless the element has exactly one child of this name.
 const XmlElement& onlyChild(const XmlElement& parent, std::string_view name);
 
-// As many numbers as the array has places, and nothing else.
+// Returns the numbers of a text, which must have exactly as many as the array.
 template <class T, std::size_t N>
 std::array<T, N> numbersIn(std::string_view text)
 {

@@ -9,7 +9,7 @@
 namespace
 {
 
-// Whether the quick way can read some layers of an array, and shows all of its cells.
+// Returns true if the quick reader can read some layers of an array alone, and if it hides no cells.
 bool comesApart(const XmlElement& array)
 {
 	return isOneOf(array.attribute("format"), {"appended", "binary"}) &&

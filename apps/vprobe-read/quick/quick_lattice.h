@@ -7,7 +7,7 @@
 
 struct XmlElement;
 
-// A lattice of a .vti, .vtr or .vts file whose layers the quick way can read alone.
+// A lattice of a .vti, .vtr or .vts file whose layers the quick reader can read alone.
 struct QuickLattice
 {
 	const char* kind; // as in the manifest
@@ -15,5 +15,5 @@ struct QuickLattice
 };
 std::optional<QuickLattice> quickLattice(const std::string& file);
 
-// The points of a lattice along each axis. Throws NotQuick where there are no cells, or too many.
+// Returns the number of points of a lattice along each axis. Throws NotQuick if there are no cells, or too many.
 std::array<std::uint64_t, 3> latticePoints(const XmlElement& data, const XmlElement& piece);

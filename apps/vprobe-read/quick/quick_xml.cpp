@@ -64,7 +64,7 @@ private:
 				throw NotQuick();
 	}
 
-	// Of field data, VTK's readers take the time.
+	// Reads the time, which is all that VTK's readers take from field data.
 	void readTime(const XmlElement& field_data)
 	{
 		for (const XmlElement& array : field_data.children)
@@ -160,7 +160,7 @@ private:
 			describeSlab(origin, spacing, points);
 	}
 
-	// As a rectilinear grid, so that its points have the places that they have in the whole image.
+	// Describes a slab as a rectilinear grid, so that its points have the places that they have in the whole image.
 	void describeSlab(const std::array<double, 3>& origin, const std::array<double, 3>& spacing,
 	                  const std::array<std::uint64_t, 3>& points)
 	{
@@ -176,7 +176,7 @@ private:
 		block_.block = {{"kind", "rectilinear"}, {"axes", std::move(axes)}};
 	}
 
-	// Axes are short, so they are read here and now.
+	// Reads the axes at once, since they are short.
 	void readAxes(const XmlElement& piece, const std::array<std::uint64_t, 3>& points)
 	{
 		const XmlElement& coordinates = onlyChild(piece, "Coordinates");
@@ -270,7 +270,7 @@ private:
 		return none;
 	}
 
-	// Units are told; ranges are found anew.
+	// Takes the units. Ranges in the file are ignored, because they are computed anew.
 	static std::string unitsOf(const XmlElement& array)
 	{
 		std::string units;
@@ -302,7 +302,7 @@ private:
 		for (std::size_t i = 0; i < first.size(); ++i)
 		{
 			const std::string name(first[i].attribute("Name"));
-			// Ghost marks are for VTK's way.
+			// Files with ghost marks are left to VTK.
 			if (!first[i].has("Name") || isOneOf(name, {"", "vtkGhostType", "vtkGhostLevels"}) ||
 			    !names.insert(first[i].attribute("Name")).second)
 				throw NotQuick();

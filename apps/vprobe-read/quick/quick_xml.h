@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-// A block of the manifest, but for its name.
+// A block of the manifest without its name.
 struct QuickBlock
 {
 	nlohmann::json block;
@@ -18,9 +18,9 @@ struct QuickBlock
 	std::vector<double> times; // that the file names: none or one
 };
 
-// Reads a .vti, .vtr, .vts or .vtu file without VTK: on all cores, each array straight to where it is handed over.
-// Takes files as VTK, ParaView and meshio write them: little endian, appended or inline data as they are, in base64 or
-// compressed, linear cells, nothing hidden. All else it leaves to VTK, also what is damaged: nothing, and nothing
-// written. layers: those of a lattice that are wanted; none: all.
+// Reads a .vti, .vtr, .vts or .vtu file without VTK: on all cores, each array directly to its place in the shared
+// memory. It supports files as VTK, ParaView and meshio write them: little endian; appended or inline data, raw, in
+// base64 or compressed; linear cells; no hidden cells. Everything else, damaged files too, is left to VTK: then this
+// returns nothing and writes nothing. layers: the wanted layers of a lattice; without a value, all layers.
 std::optional<QuickBlock> readQuickly(const std::string& file, const ArrayWish& wish, int threads, ArrayWriter& arrays,
                                       ArrayWriter& cells, const std::optional<CellLayers>& layers = {});

@@ -51,7 +51,7 @@ void Tasks::run()
 		}
 		catch (const std::system_error&)
 		{
-			// Fewer threads than wished for do it too.
+			// Fewer threads than requested are enough.
 		}
 		work();
 	}

@@ -6,16 +6,16 @@
 #include <functional>
 #include <vector>
 
-// Work in parts that any thread may do in any order.
+// Does work in parts. Any thread may do any part, in any order.
 class Tasks
 {
 public:
-	// `threads`: the most to use.
+	// `threads`: the largest number of threads to use.
 	explicit Tasks(int threads) : threads_(threads) {}
 
 	using Part = std::function<void(std::size_t part, Scratch& scratch)>;
 	void add(std::size_t parts, Part work);
-	// Does all that was added. The first exception ends it, and is thrown on.
+	// Does all work that was added. The first exception ends it, and is thrown again.
 	void run();
 
 private:

@@ -72,7 +72,7 @@ public:
 				addOthers(section);
 	}
 
-	// Arrays that say themselves how many values they have, as those of field data and of hyper tree grids.
+	// Adds arrays that say themselves how many values they have, such as those of field data and of hyper tree grids.
 	void addOthers(XmlElement& element)
 	{
 		for (XmlElement& child : element.children)
@@ -143,7 +143,7 @@ private:
 	std::vector<XmlArray>& list_;
 };
 
-// In a piece, or in an index of pieces.
+// Returns true for sections of point or cell arrays, in a piece or in an index of pieces.
 bool holdsFields(const XmlElement& section)
 {
 	return isOneOf(section.name, {"PointData", "CellData", "PPointData", "PCellData"});

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-// An array of a VTK XML file, and how many values belong there.
+// An array of a VTK XML file, and how many values it must have.
 struct XmlArray
 {
 	enum class Form
@@ -27,15 +27,16 @@ struct XmlArray
 	std::optional<std::uint64_t> values;      // none where the file does not say it
 	std::optional<std::size_t> offsets;       // the array of the list whose last value says it
 
-	// Throws a Refusal unless so many values are there. last_offset: of the array of offsets, if there is one.
+	// Throws a Refusal unless the array has as many values as it must have. there: the number that it has. last_offset:
+	// the last value of the array of offsets, if there is one.
 	void check(std::uint64_t there, std::int64_t last_offset) const;
 };
 
-// All arrays of the element that is named like the file's type. Throws a Refusal for a size of a piece that is no
-// number.
+// Returns all arrays of the element that is named like the file's type. Throws a Refusal if the size of a piece is not
+// a number.
 std::vector<XmlArray> arraysOfXml(XmlElement& data);
 
-// The points and the cells of a piece. Of polygonal data, cells of all kinds.
+// The numbers of points and cells of a piece. In polygonal data, cells of all kinds count.
 struct PieceSizes
 {
 	std::uint64_t points = 0;
@@ -48,17 +49,17 @@ std::optional<PieceSizes> sizesOfPiece(const XmlElement& piece);
 // an index of pieces. Returns a line for each name.
 std::vector<std::string> giveOwnNames(XmlElement& data);
 
-// The arrays of points and cells of a piece, or those that an index of pieces names: "point array c", with its type and
-// number of components.
+// Returns the point and cell arrays of a piece, or those that an index of pieces names: "point array c", with its type
+// and number of components.
 std::map<std::string, std::string> fieldsOf(const XmlElement& piece);
-// Throws a Refusal unless all pieces of a file have the same arrays: VTK's reader would leave what happens to be in
-// memory.
+// Throws a Refusal unless all pieces of a file have the same arrays. VTK's reader would return uninitialized memory for
+// missing ones.
 void refuseOtherFields(const XmlElement& data);
 
-// Leaves out the keys of arrays whose numbers are not finite: VTK's readers fail over those that its own writer wrote.
-// They are ranges, which are found anew. Returns whether there was one.
+// Removes keys of arrays whose numbers are not finite, because VTK's readers fail on them, though VTK writes them. They
+// are ranges, which are computed anew. Returns true if there was one.
 bool leaveOutStrangeKeys(XmlElement& data);
 
-// Writes the numbers of attributes such as Origin so that VTK's readers know them. Returns whether one was written
-// anew. Throws a Refusal for what is no finite number, and for too few or too many.
+// Rewrites the numbers of attributes such as Origin so that VTK's readers understand them. Returns true if one was
+// rewritten. Throws a Refusal if one is not a finite number, and for too few or too many.
 bool respellAttributes(XmlElement& data);

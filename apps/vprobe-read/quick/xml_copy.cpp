@@ -60,7 +60,7 @@ bool isBlankText(std::string_view text)
 	return text.find_first_not_of(" \t\r\n") == text.npos;
 }
 
-// What stands between the tags of an array, without the elements that describe it.
+// Writes the text between the tags of an array, without the elements that describe the array.
 void writeData(std::string_view content, MemoryFile& to)
 {
 	while (!content.empty())
@@ -148,7 +148,7 @@ bool isBits(const XmlArray& array)
 	return array.element->attribute("type") == "Bit";
 }
 
-// How many values so many bytes are. Of those that are no numbers nothing is known.
+// Checks how many values so many bytes are. Arrays that do not hold numbers are not checked.
 void checkBytes(const XmlArray& array, std::uint64_t bytes, std::int64_t last_offset)
 {
 	if (isBits(array) && array.values && bytes != (*array.values + 7) / 8)
@@ -160,7 +160,7 @@ void checkBytes(const XmlArray& array, std::uint64_t bytes, std::int64_t last_of
 	array.check(bytes / bytesOfValue(array), last_offset);
 }
 
-// All bytes of an array, as little endian.
+// Returns all bytes of an array, as little endian.
 std::string unpacked(const XmlArray& array, int file, const XmlFile& given, const Packing& packing)
 {
 	std::string bytes;
@@ -197,13 +197,13 @@ std::optional<Packing> packingIfKnown(const XmlElement& root)
 	}
 }
 
-// Text stays that is no list of numbers.
+// Returns true for an array of text that is not a list of numbers. Such text stays.
 bool staysText(const XmlArray& array)
 {
 	return array.form == XmlArray::Form::text && !array.type;
 }
 
-// Writes elements whose arrays are appended, and where their offsets stand, to be filled in.
+// Writes elements whose arrays are appended, and remembers where to fill in their offsets.
 class ElementsOfBytes
 {
 public:
@@ -254,7 +254,7 @@ struct Found
 	bool is_strange = false;
 };
 
-// The numbers of an array in text; to: may be null.
+// Reads the numbers of an array from text, and writes them to `to` unless it is null.
 Found takeText(const XmlArray& array, std::string_view text, MemoryFile* to)
 {
 	const TextNumbers numbers =
@@ -262,7 +262,7 @@ Found takeText(const XmlArray& array, std::string_view text, MemoryFile* to)
 	return {numbers.count * bytesOfValue(array), numbers.last, numbers.is_strange};
 }
 
-// VTK's reader goes on where letters are missing.
+// Checks the length of base64 text, because VTK's reader does not report missing letters.
 void checkLetters(const XmlArray& array, std::string_view content, std::uint64_t wanted)
 {
 	const std::size_t begin = std::min(content.find_first_not_of(" \t\r\n"), content.size());
@@ -386,7 +386,7 @@ bool checkArrays(const std::string& path, const XmlFile& given, const std::vecto
 		}
 		catch (const NotQuick&)
 		{
-			// Of packed data VTK's reader tells what is wrong, and it knows larger blocks.
+			// For packed data, VTK's reader reports what is wrong, and it supports larger blocks.
 			const bool is_known = array.values || (array.offsets && arrays[*array.offsets].values.value_or(0) > 0);
 			if (packing->codec == Codec::none && is_known)
 				throw damaged(fmt::format("{} is shorter than it should be", array.words));

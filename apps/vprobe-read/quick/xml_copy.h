@@ -7,18 +7,19 @@
 #include <string_view>
 #include <vector>
 
-// Writes the head of a file and its elements, but for appended data. The data of arrays are those of the text.
+// Writes the head of a file and its elements, except for appended data. The data of arrays come from the text.
 void writeElements(const XmlFile& xml, std::string_view text, MemoryFile& to);
 void writeAppendedStart(std::string_view encoding, MemoryFile& to);
 void writeEnd(const XmlFile& xml, bool has_appended, MemoryFile& to);
 
-// Writes a file anew in which all numbers are appended as they are: from text in any spelling, and unpacked. Throws a
-// Refusal for a word that is no number, an array with too few or too many values, and one that cannot be unpacked.
-// path: that of the file, whose elements are `given`; arrays: those of `xml`, the elements that stay.
+// Writes a copy of a file in which all numbers are appended as raw bytes: converted from text in any spelling, and
+// unpacked. Throws a Refusal for a word that is not a number, for an array with too few or too many values, and for one
+// that cannot be unpacked. path: the file, whose elements are `given`. arrays: the arrays of `xml`, which holds the
+// elements that stay.
 void writeAsBytes(const std::string& path, const XmlFile& given, const XmlFile& xml,
                   const std::vector<XmlArray>& arrays, std::string_view text, MemoryFile& to);
 
-// Throws a Refusal for the same, as far as the numbers in front of the arrays say it. Returns whether VTK's readers
-// know every number that is text.
+// Throws a Refusal for the same reasons, as far as the numbers in front of the arrays show them. Returns true if VTK's
+// readers understand every number that is text.
 bool checkArrays(const std::string& path, const XmlFile& given, const std::vector<XmlArray>& arrays,
                  std::string_view text);
