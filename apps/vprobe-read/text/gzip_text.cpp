@@ -9,7 +9,7 @@
 namespace
 {
 
-// The parts of a file one after the other. What is behind the last is no part.
+// Unpacks the parts of a file, one after the other. Ignores bytes behind the last part.
 std::string gunzipped(std::string_view packed)
 {
 	// zlib counts in 32 bits; the memory that reading may take limits the whole.

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-// All of a file, unpacked where it is packed by gzip.
+// The text of a whole file, unpacked if it is packed by gzip.
 class MaybeGzip
 {
 public:

@@ -18,7 +18,7 @@ struct LengthUnit
 	std::string_view sign; // empty: the name
 };
 
-// Also those of OME's schema. Their case counts.
+// This includes the signs of OME's schema. Upper and lower case differ.
 constexpr std::array kLengthSigns = {
     LengthUnit{"m", 1.0, ""},
     LengthUnit{"dm", 1e-1, ""},
@@ -60,7 +60,7 @@ constexpr std::array kLengthSigns = {
     LengthUnit{"Mpc", 3.0856775814913673e22, ""},
 };
 
-// In small letters, without the s of several.
+// Words in small letters, without a plural s.
 constexpr std::array kLengthWords = {
     LengthUnit{"inch", 0.0254, "in"},   LengthUnit{"inche", 0.0254, "in"},
     LengthUnit{"foot", 0.3048, "ft"},   LengthUnit{"feet", 0.3048, "ft"},
@@ -70,7 +70,7 @@ constexpr std::array kLengthWords = {
     LengthUnit{"mmeter", 1e-3, "mm"},   LengthUnit{"lightyear", 9.4607304725808e15, "ly"},
 };
 
-// Before "meter" and "metre".
+// Prefixes of "meter" and "metre".
 constexpr std::array kPrefixes = {
     LengthUnit{"", 1.0, "m"},        LengthUnit{"deci", 1e-1, "dm"},   LengthUnit{"centi", 1e-2, "cm"},
     LengthUnit{"milli", 1e-3, "mm"}, LengthUnit{"micro", 1e-6, "µm"},  LengthUnit{"nano", 1e-9, "nm"},
@@ -85,7 +85,7 @@ const LengthUnit* find(const std::array<LengthUnit, count>& units, std::string_v
 	return found == units.end() ? nullptr : &*found;
 }
 
-// Spellings of the characters that are not ASCII become "u" and "A".
+// Replaces characters that are not ASCII, in any spelling, by "u" and "A".
 std::string inAscii(std::string_view unit)
 {
 	constexpr std::array<std::pair<std::string_view, char>, 13> spellings = {{{"\xC2\xB5", 'u'},
@@ -133,7 +133,7 @@ const LengthUnit* unitNamed(std::string_view name)
 	for (const std::string_view meter : {"meter", "metre"})
 		if (unit.ends_with(meter))
 			return find(kPrefixes, std::string_view(unit).substr(0, unit.size() - meter.size()));
-	// Signs all in capital letters, as "MM".
+	// This finds signs that are all in capital letters, such as "MM".
 	return unit.size() == 2 && unit != "mi" ? find(kLengthSigns, unit) : nullptr;
 }
 

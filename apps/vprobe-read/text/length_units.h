@@ -5,15 +5,17 @@
 #include <string>
 #include <string_view>
 
-// Meters in a unit of length, by any name that programs write: "mm", "Millimeters", "micron", "nm", and µm and Å with
-// either character that looks so (U+00B5, U+03BC; U+00C5, U+212B), in UTF-8, Latin-1 or as "\u00B5". Signs are taken
-// by their case (Mm is no mm), words are not. Nothing for other words, such as pixels.
+// Returns the meters in a unit of length, by any name that programs write: "mm", "Millimeters", "micron", "nm", and µm
+// and Å with either character that looks so (U+00B5, U+03BC; U+00C5, U+212B), in UTF-8, Latin-1 or as "\u00B5". For
+// signs, upper and lower case differ (Mm is not mm); for words they do not. Returns nothing for other words, such as
+// pixels.
 std::optional<double> metersOf(std::string_view unit);
 
-// The usual sign: "µm" for microns. Empty for what says no length (pixels); other words stay as they are.
+// Returns the usual sign: "µm" for microns. Empty if the word does not say a length (pixels). Other words stay as they
+// are.
 std::string lengthSign(std::string_view unit);
 
-// One unit for the lengths along three axes: their common one, or else that of the first axis.
+// One unit for the lengths along three axes: their common unit, or else the unit of the first axis.
 struct OneLengthUnit
 {
 	std::string sign;                             // empty: not known
@@ -22,5 +24,5 @@ struct OneLengthUnit
 };
 OneLengthUnit oneLengthUnit(const std::array<std::string, 3>& units);
 
-// What to tell where they differ.
+// Returns the warning for units that differ.
 std::string unitsDiffer(const std::array<std::string, 3>& units);

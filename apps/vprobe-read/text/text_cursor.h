@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <string_view>
 
-// Walks through the numbers of a file, written as text or, where the file says so, as bytes. What lies past the end,
-// and what is no number where one is wanted, is a Refusal.
+// Walks through the numbers of a file, which are text or, if the file says so, bytes. Throws a Refusal past the end,
+// and if a word is not a number but should be one.
 class TextCursor
 {
 public:
@@ -17,7 +17,7 @@ public:
 	std::string_view peekLine(); // the next one that is not blank, without its white space
 	std::int64_t integer();
 	double real(); // in every spelling of base/real_text.h
-	// A number of things that take so many bytes each, at the least; refused if they cannot be in the rest.
+	// Returns a number of items that take at least so many bytes each. Throws a Refusal if the rest cannot hold them.
 	std::size_t count(std::size_t least_bytes = 2) { return checkedCount(integer(), least_bytes); }
 	std::size_t checkedCount(std::int64_t number, std::size_t least_bytes) const;
 
@@ -27,7 +27,7 @@ public:
 
 	std::size_t place() const { return at_; }
 	void moveTo(std::size_t place) { at_ = place; }
-	// Behind the next line that is this one. A Refusal if there is none.
+	// Skips past the next line that equals this one. Throws a Refusal if there is none.
 	void skipPast(std::string_view line);
 
 	[[noreturn]] void endsEarly() const;

@@ -2,8 +2,8 @@
 
 #include <string>
 
-// A text file that was cut short inside its last number cannot be told from a whole one, unless a line end follows the
-// number.
+// Returns true if no line end follows the last word of a text file. A file that was cut short inside its last number
+// then looks like a whole one.
 bool endsInsideALine(const std::string& file);
 
 constexpr const char* kCutTextWarning = "ends without a line end; if it was cut short, its last value is wrong";

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-// What an array in text holds.
+// Describes the numbers of an array in text.
 struct TextNumbers
 {
 	std::uint64_t count = 0;
@@ -23,7 +23,7 @@ enum class ByteOrder
 	big
 };
 
-// How the text ends, and where its numbers go.
+// Says where a text ends, and where its numbers go.
 struct NumberTarget
 {
 	MemoryFile* to = nullptr; // nullptr: they are only looked at
@@ -32,8 +32,8 @@ struct NumberTarget
 	bool is_xml = false;                                            // tags and comments may stand in between
 };
 
-// Reads the numbers of a text in every spelling of base/real_text.h. Whole numbers may be written as 1.0 or 1e3. Throws
-// a Refusal, which names the array and the word, for what is no number, or does not fit into the type.
+// Reads the numbers of a text in every spelling of base/real_text.h. Integers may be written as 1.0 or 1e3. Throws a
+// Refusal, which names the array and the word, if a word is not a number or does not fit into the type.
 TextNumbers readNumbers(std::string_view text, vp::grid::NumberType type, const std::string& array,
                         const NumberTarget& target);
 
