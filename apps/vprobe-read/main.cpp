@@ -1,5 +1,5 @@
-// Reads one file with VTK and hands its arrays over in shared memory; see read/protocol.h. A reader that crashes, hangs
-// or swallows memory over a damaged file takes only this process with it.
+// Reads one file with VTK and hands its arrays over in shared memory; see read/protocol.h. If a damaged file makes a
+// reader crash, hang or use up memory, only this process is lost.
 #include "read/protocol.h"
 #include "vprobe-read/base/bytes_read.h"
 #include "vprobe-read/base/is_one_of.h"
@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 namespace
 {
 
-// Which of the files that an index names is meant.
+// Adds to a reason which of the files that an index names is meant.
 std::string withPiece(const std::string& input, std::string reason)
 {
 	const std::string piece = pieceBeingRead();

@@ -1,5 +1,5 @@
-// Stands in front of the system's functions that open files, for all libraries of this program, and notes what is
-// opened for reading. Rejected: a list in each of 40 readers, which would be short of what their libraries open.
+// Replaces the system's functions that open files, for all libraries of this program, and notes each file that is
+// opened for reading. Rejected: a list in each of 40 readers, which would miss files that their libraries open.
 #include "vprobe-read/base/read_files.h"
 
 #include <cstdarg>
@@ -10,7 +10,7 @@
 #include <fcntl.h>
 #include <sys/types.h>
 
-// The headers' inline forms of these functions would stand in the way, so the names are given to the linker here.
+// The headers' inline forms of these functions would be in the way, so the names are given to the linker here.
 #define VP_EXPORTED extern "C" __attribute__((visibility("default")))
 
 namespace
