@@ -11,7 +11,7 @@ namespace vp::bench
 // bounds. Counter "cells".
 void boxContour(benchmark::State& state, const std::string& name, bool with_sheet); // the sheet is cut anew each time
 
-// The same value everywhere, by vtkContourFilter. Counter "triangles".
+// Contours the same value everywhere with vtkContourFilter. Counter "triangles".
 void vtkContour(benchmark::State& state, const std::string& name);
 
 } // namespace vp::bench

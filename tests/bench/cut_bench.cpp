@@ -4,7 +4,7 @@
 //
 //   build/release/bin/bench_cut --benchmark_filter='shell:256|targets'
 //
-// Of a moved plane the first cut of vtkPlaneCutter, which builds its tree, is made before the clock runs.
+// For a moved plane, the first cut of vtkPlaneCutter, which builds its tree, is made before the clock runs.
 
 #include "base/kept_memory.h"
 #include "contours.h"
@@ -142,7 +142,7 @@ int main(int argc, char** argv)
 		if (grid == "shell:128" || grid == "tets:96")
 		{
 			add(grid, "traces", [=](auto& state) { bench::ourTraces(state, grid); })
-			    ->MeasureProcessCPUTime() // of all threads
+			    ->MeasureProcessCPUTime() // CPU time of all threads
 			    ->MinTime(1.0);
 			add(grid, "vtkStreamTracer", [=](auto& state) { bench::vtkTraces(state, grid); })->Iterations(1);
 		}

@@ -1,4 +1,4 @@
-// What a polygon costs to draw by its shape. Rectangles of one shape cover a picture of 1280 x 720, turned against its
+// Measures how the shape of a polygon affects its drawing time. Rectangles cover a picture of 1280 x 720, turned to its
 // rows, so that shapes of one area are as many polygons and cover as many pixels. Each row is drawn by the compute
 // rasterizer and by the device's own. Nothing else may run on the machine.
 #include "gpu/vulkan.h"

@@ -64,7 +64,7 @@ grid::BlockSet makeGrid(const std::string& name, bool builds_neighbors)
 	return made;
 }
 
-// Of one kind at a time.
+// Keeps only one grid of each kind at a time.
 Grid& keep(const std::string& name, bool builds_neighbors = true)
 {
 	static std::array<Grid, 2> grids;

@@ -20,7 +20,8 @@ const grid::BlockSet& gridNamed(const std::string& name);
 const grid::BlockSet& listedNamed(const std::string& name);
 vtkDataSet* vtkListedNamed(const std::string& name);
 
-// The same as VTK has it. Of both the last that was asked for is kept: several large ones do not fit into memory.
+// Returns the same grid as a VTK data set. Only the last grid and the last data set are kept, because several large
+// ones do not fit into memory.
 vtkDataSet* vtkNamed(const std::string& name);
 
 // A grid as it comes from a file, nothing built: cells in the program's own order, or shuffled.

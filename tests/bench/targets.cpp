@@ -57,7 +57,7 @@ Target firstCut(const std::string& grid)
 	return {"first cut of " + grid + " against the fastest of VTK's", "times", 1.5, true, measure};
 }
 
-// The same of a moved cut.
+// Returns the target for a moved cut.
 Target movedCut(const std::string& grid, double value)
 {
 	const auto measure = [=](const Figures& f)

@@ -9,7 +9,7 @@
 namespace vp::bench
 {
 
-// What the benchmarks of a run measured, by their names.
+// Collects the figures of a run's benchmarks, by their names.
 class Figures : public benchmark::ConsoleReporter
 {
 public:
@@ -24,7 +24,7 @@ private:
 		double ms;
 		std::map<std::string, double> counters;
 	};
-	std::map<std::string, Figure> figures_; // of several repetitions the fastest
+	std::map<std::string, Figure> figures_; // the fastest of several repetitions
 };
 
 // Each aim of the program beside what was measured, as far as its benchmarks were run.

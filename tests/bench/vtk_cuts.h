@@ -28,7 +28,7 @@ enum class VtkCut
 	flying_edges_cutter // vtkFlyingEdgesPlaneCutter: images only
 };
 
-// Whether this VTK has vtkStructuredDataPlaneCutter.
+// True if this VTK has vtkStructuredDataPlaneCutter.
 constexpr bool kHasStructuredCutter =
 #if __has_include(<vtkStructuredDataPlaneCutter.h>)
     true;

@@ -139,7 +139,7 @@ TEST(Hanging, AmrLevelsAreOneSheet)
 	const grid::BlockSet set = cube.read();
 	ASSERT_EQ(set.blocks.size(), 3u);
 	EXPECT_EQ(set.cellCount(), AmrCube::kCells);
-	// Of the sides of the two inner boxes: large faces 6 * 9 and 6 * 4, small ones four times as many.
+	// The sides of the two inner boxes have 6 * 9 and 6 * 4 large faces, and four times as many small ones.
 	EXPECT_EQ(set.interfaces.seam_faces, 5u * 6u * (9u + 4u));
 	EXPECT_EQ(set.interfaces.boundary_faces, 6u * 36u);
 	cut::Cutter cutter(set);
@@ -206,7 +206,7 @@ TEST(Hanging, EachSideKeepsItsValuesUnlessAsked)
 			EXPECT_NEAR(whole.figures.mean.value(), (areas[1] + 2.0 * areas[2]) / whole.figures.area, 1e-12);
 		}
 		const auto fields = grid::FieldChoice{"f"}.inEach(set);
-		std::vector<std::array<double, 2>> ranges(3, {9.0, -9.0}); // of the vertices of each level's polygons
+		std::vector<std::array<double, 2>> ranges(3, {9.0, -9.0}); // range over the vertices of each level's polygons
 		for (std::size_t p = 0; p < whole.mesh.polygons(); ++p)
 			for (const std::uint32_t v : whole.mesh.polygon(p))
 			{

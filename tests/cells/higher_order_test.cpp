@@ -179,7 +179,7 @@ int leastDegree(const NumberedCell& cell)
 	return cell.degrees[0] > 0 ? std::min({cell.degrees[0], cell.degrees[1], cell.degrees[2]}) : 2;
 }
 
-// Of the degree that the cell has in all directions; one cell is linear along z.
+// Returns a polynomial of the cell's degree in all directions. One cell is linear along z.
 double polynomial(const NumberedCell& cell, Vec3 p)
 {
 	const double t = 0.3 * p.x - 0.45 * p.y + (cell.name == "QuadraticLinearWedge" ? 0.0 : 0.6 * p.z) + 0.2;

@@ -17,8 +17,8 @@ struct NumberedCell
 	std::string name;
 	std::uint8_t type; // VTK's
 	ParentShape shape;
-	// Of a cube, half a cube (x + y <= 1), a corner of the cube (x + y + z <= 1), or the pyramid on the unit square
-	// with its top at (1/2, 1/2, 1).
+	// Place in a cube, half a cube (x + y <= 1), a corner of the cube (x + y + z <= 1), or the pyramid on the unit
+	// square with its top at (1/2, 1/2, 1).
 	std::vector<vp::Vec3> nodes;
 	std::array<int, 3> degrees = {0, 0, 0}; // written where they are not 0
 	int intervals = 1;                      // linear parts along an edge

@@ -37,7 +37,7 @@ Result<grid::BlockSet> readWith(const CubeMesh& mesh, double refine)
 	return read::readInputs({path}, options, nullptr);
 }
 
-// Of the plane z = height.
+// Returns the area of the plane z = height.
 double areaAt(double height, const grid::BlockSet& set)
 {
 	cut::Cutter cutter(set);
@@ -102,7 +102,7 @@ TEST(Tolerance, LevelsAreStillLevels)
 namespace
 {
 
-// Of all shapes and orders.
+// Returns cells of all shapes and orders.
 std::vector<NumberedCell> curvedKinds(bool bezier)
 {
 	std::vector<NumberedCell> kinds;

@@ -40,7 +40,7 @@ TEST_F(Contour, Figures)
 	}
 	EXPECT_TRUE(contours(kSheet).empty());
 	EXPECT_GE(stats(kSheet + Arguments{"--contour", "0.2"}).at("ms").at("contour"), 0.0);
-	// Of every sheet.
+	// Every sheet has a contour.
 	EXPECT_EQ(contours({"demo:blob:8", "--probe", "trihedral", "--contour", "0.2"}).size(), 3u);
 }
 
@@ -59,7 +59,7 @@ TEST_F(Contour, AtAPlaceOfTheFirstSheet)
 {
 	const json all = contours({write("image.vtk", legacyImage()), "--probe", "stack", "--sheets", "2", "--normal", "x",
 	                           "--up", "0", "0", "1", "--contour-at", "0.3", "0.75"});
-	ASSERT_EQ(all.size(), 1u); // of the first sheet alone
+	ASSERT_EQ(all.size(), 1u); // only the first sheet has one
 	EXPECT_NEAR(all[0]["value"], 0.75 * 3.0, 1e-6);
 	EXPECT_NEAR(contours({path("image.vtk"), "--normal", "x", "--up", "0", "0", "1", "--window", "1", "2",
 	                      "--contour-at", "0.5", "0.25"})[0]["value"],

@@ -15,7 +15,7 @@ struct Task
 {
 	std::string name;
 	Arguments arguments;
-	std::string output; // of a run without faults
+	std::string output; // output of a run without faults
 
 	friend void PrintTo(const Task& task, std::ostream* to) { *to << task.name; }
 };

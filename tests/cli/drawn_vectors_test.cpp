@@ -62,7 +62,7 @@ TEST_F(DrawnVectors, MoveWithASweep)
 	const auto figures = nlohmann::json::parse(contents(path("s.json")));
 	for (const auto& shown : figures["frames"])
 		EXPECT_EQ(shown["sheets"][0]["vectors"]["dt"], figures["frames"][0]["sheets"][0]["vectors"]["dt"]);
-	// Of one frame alone they are the same.
+	// They are the same if only one frame is drawn.
 	std::filesystem::remove(path("0001.png"));
 	ASSERT_TRUE(isQuiet(run(sweep + Arguments{"-o", path("{frame:04}.png"), "--resume"})));
 	EXPECT_TRUE(frame(1) == middle);

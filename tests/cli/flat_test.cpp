@@ -11,7 +11,7 @@ namespace
 class Flat : public Program
 {
 protected:
-	// Where no Vulkan device is found: none is needed.
+	// Runs the program without a Vulkan device, since it needs none.
 	Outcome slice(const Arguments& arguments) const
 	{
 		return run(Arguments{"slice", "demo:shell:8", "--classify", "cpu"} + arguments, noDevice());
@@ -93,7 +93,7 @@ TEST_F(Flat, LooksAreRefusedWhereNothingIsDrawn)
 	EXPECT_TRUE(files().empty());
 }
 
-// What a state says of looks does not hinder who writes polygons.
+// The look in a state is allowed when polygons are written.
 TEST_F(Flat, LooksOfAStateAreKept)
 {
 	ASSERT_TRUE(isQuiet(slice({"-o", path("a.png"), "--lines", "5", "--no-labels", "--units", "K", "--length-units",

@@ -135,7 +135,7 @@ TEST_F(Info, BlocksThatAbutOverlapOrAreApart)
 	struct Case
 	{
 		const char* x;
-		int faces; // of one that lie on faces of the other
+		int faces; // faces of one block that lie on faces of the other
 		std::size_t overlaps;
 	};
 	for (const Case& c : {Case{"3", 9, 0}, Case{"2.5", 0, 1}, Case{"2", 12, 1}, Case{"4", 0, 0}})

@@ -188,7 +188,7 @@ TEST_F(Output, StatsToAFullDevice)
 	EXPECT_TRUE(isError(slice({"--stats", "/dev/full"}), 4, {"/dev/full"}));
 }
 
-// What was there stays when the new one cannot be written whole.
+// The old file stays if the new one cannot be written completely.
 TEST_F(Output, KeepsTheOldFileWhenTheInputFails)
 {
 	write("out.vtp", "old");

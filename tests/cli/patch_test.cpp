@@ -61,7 +61,7 @@ TEST_F(PatchOfAFile, IsShownWithItsValues)
 	EXPECT_NEAR(walls["area"], 5.0, 1e-12);
 	EXPECT_NEAR(stats({file, "--surface", "patch=hot"}).at("sheets").at(0)["area"], 5.0, 1e-12); // a group of patches
 	EXPECT_TRUE(isQuiet(run({"slice", file, "--surface", "patch=walls", "-o", path("walls.vtp")})));
-	// What does not ask for it reads as before.
+	// Runs that do not ask for patches read the file as before.
 	EXPECT_EQ(stats({file}).at("sheets").at(0).at("cut_cells"), 1);
 }
 

@@ -171,7 +171,7 @@ TEST_F(Profile, TraceFollowsItsFormatAndAddsUp)
 	EXPECT_EQ(files(), Arguments{"t.json"});
 }
 
-// What the figures are made of is in the trace, to the nanosecond.
+// The trace holds the times from which the figures are computed, to the nanosecond.
 TEST_F(Profile, FiguresAreThoseOfTheTrace)
 {
 	const Outcome outcome = run({"profile", "demo:shell:16", "--classify", "cpu", "--planes", "21", "--visited",
@@ -179,7 +179,7 @@ TEST_F(Profile, FiguresAreThoseOfTheTrace)
 	ASSERT_TRUE(isQuiet(outcome));
 	const auto told = nlohmann::json::parse(contents(path("p.json")));
 	std::vector<double> cuts;
-	std::vector<double> fronts; // of generation 0
+	std::vector<double> fronts; // fronts of generation 0
 	bool is_first = false;
 	const trace::Rows rows = trace::check(contents(path("t.json")));
 	for (const trace::Event& event : rows.named("main"))

@@ -21,12 +21,12 @@ struct Surroundings
 	std::string standard_output{};                    // a file to write to instead of being caught
 	std::string standard_error{};                     // likewise
 	std::string standard_input{"/dev/null"};          // a file to read from
-	std::vector<int> closed{};                        // of the three streams
+	std::vector<int> closed{};                        // those of the three streams that are closed
 	std::string folder{};                             // where it runs; empty: where the test does
 	long file_size_limit = 0; // bytes any file may grow to; 0: as it pleases. Stands for a full disk
 };
 
-// What a run of the program gave. A program killed by a signal has the status 128 + signal, as in a shell.
+// The outcome of a run of the program. A program killed by a signal has the status 128 + signal, as in a shell.
 struct Outcome
 {
 	int status = 0;

@@ -33,7 +33,7 @@ TEST_F(Render, WithoutANameThePictureHasTheInputs)
 	EXPECT_EQ(drawn.status, 0) << drawn.err;
 	EXPECT_EQ(drawn.out, "demo-shell-16.png\n");
 	EXPECT_EQ(sizeOf(contents(path("demo-shell-16.png"))), (PictureSize{64, 64}));
-	// What is there stays.
+	// An existing file stays.
 	EXPECT_TRUE(isError(render({"--size", "32x32"}, here), 1, {"demo-shell-16.png", "-o"}));
 	EXPECT_EQ(sizeOf(contents(path("demo-shell-16.png"))), (PictureSize{64, 64}));
 	EXPECT_EQ(files(), Arguments{"demo-shell-16.png"});

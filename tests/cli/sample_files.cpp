@@ -10,7 +10,7 @@ namespace
 
 constexpr int kPoints = 4;
 
-// What `text` says of each point, in VTK's order.
+// Returns the texts of all points, in VTK's order.
 std::string forPoints(const std::function<std::string(int x, int y, int z)>& text)
 {
 	std::string all;

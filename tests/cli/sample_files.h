@@ -9,7 +9,7 @@ namespace cli
 // "wind" (1, 2, 2); cell arrays "both" (= 100 + the cell's id) and "mass" (= 7).
 std::string legacyImage();
 
-// The same points and "height" as VTK's XML image, in text.
+// Returns the same points and "height" as an XML image of VTK, in text.
 std::string xmlImage();
 
 // Two hexahedra side by side, as VTK's XML unstructured grid, in text; point array "height".

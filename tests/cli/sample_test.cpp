@@ -47,14 +47,14 @@ std::string pointsWithin(double lo, double hi, int count)
 class Sample : public Program
 {
 protected:
-	// What must succeed with all points inside.
+	// Samples points. The run must succeed, and all points must be inside.
 	std::vector<CsvRow> sample(const Arguments& arguments) const
 	{
 		const Outcome outcome = run(Arguments{"sample"} + arguments, noDevice());
 		EXPECT_TRUE(isQuiet(outcome));
 		return csvRows(outcome.out);
 	}
-	// Of s, whose formula is known.
+	// Returns the largest error of s, whose formula is known.
 	double largestError(const std::string& input) const
 	{
 		double largest = 0.0;

@@ -34,7 +34,7 @@ protected:
 		Sweep::SetUp();
 	}
 	static bool answers(const std::string& command) { return std::system((command + " >/dev/null 2>&1").c_str()) == 0; }
-	// What ffprobe counts by decoding; none where it is not installed.
+	// Returns the number of frames that ffprobe decodes. Returns nothing if ffprobe is not installed.
 	static std::optional<int> framesIn(const std::string& film)
 	{
 		if (!answers("ffprobe -version"))

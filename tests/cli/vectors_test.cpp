@@ -1,4 +1,4 @@
-// What is launched from sheets, in figures. Pictures of it are tested in drawn_vectors_test.cpp.
+// Tests the figures of vectors that are launched from sheets. drawn_vectors_test.cpp tests their pictures.
 
 #include "program.h"
 #include "sample_files.h"

@@ -29,7 +29,7 @@ struct BindingRow
 	std::string keys, name, words;
 };
 
-// Of --list-bindings: two spaces at least between columns.
+// Parses the rows of --list-bindings, which has at least two spaces between columns.
 std::vector<BindingRow> bindingRows(const std::string& list)
 {
 	std::vector<BindingRow> rows;

@@ -69,7 +69,7 @@ struct Box
 		}
 		return {grid, fields()};
 	}
-	// The same cells as polyhedra: six faces each.
+	// Returns the same cells as polyhedra with six faces each.
 	vprobe::Block polyhedra()
 	{
 		static constexpr int kFaces[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4},

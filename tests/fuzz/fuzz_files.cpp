@@ -26,7 +26,7 @@ namespace
 namespace fs = std::filesystem;
 using namespace fuzz;
 
-// What docs/FORMATS.md promises of small files; more than any has taken by far.
+// Memory limit that docs/FORMATS.md promises for small files. It is far more than any file has taken.
 constexpr std::uint64_t kBaseMemory = std::uint64_t(2) << 30;
 constexpr std::uint64_t kMemoryPerByte = 1032;
 // A reader is ended after 15 s, and 1 s for each 4 MiB; cutting and checking take as long for each.

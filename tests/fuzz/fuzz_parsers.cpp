@@ -24,7 +24,7 @@ std::string seed(char which, std::string contents)
 	return contents;
 }
 
-// What the reader hands over of a file, as an input.
+// Returns what the reader hands over of a file, as an input.
 std::string manifestSeed(const std::string& file)
 {
 	const auto handed = vp::read::runReader(file, {}, *vp::read::inputLimits(file, ""));

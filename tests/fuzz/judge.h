@@ -16,7 +16,7 @@ enum class Command
 	check  // with --json
 };
 
-// What is wrong with a run on a damaged file; empty where nothing is. An error must be exit code 2 and one line that
+// Returns what is wrong with a run on a damaged file, or nothing. An error must be exit code 2 and one line that
 // starts with "vprobe: FILE"; success must come with figures that are numbers. `out` is the folder for its output and
 // `memory_limit` the most bytes that it may have had.
 std::string judge(Command command, const ProgramRun& run, const std::string& file, const std::filesystem::path& out,

@@ -12,7 +12,7 @@ class Random
 {
 public:
 	explicit Random(std::uint64_t seed) : state_(seed) {}
-	// Of one case among those of a seed.
+	// Makes the numbers of one case of a seed.
 	Random(std::uint64_t seed, std::uint64_t number) : state_(seed * 0x9E3779B97F4A7C15u ^ (number << 20))
 	{
 		state_ = next();

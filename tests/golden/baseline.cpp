@@ -15,10 +15,10 @@ namespace vp::render::test
 namespace
 {
 
-constexpr int kLargeDifference = 24; // of a channel
-constexpr double kMaxLarge = 0.005;  // of the pixels
-constexpr double kMaxBeyond = 0.002; // of the pixels, where only those count that differ within a reach
-constexpr double kMaxMean = 0.5;     // of a channel, over the picture
+constexpr int kLargeDifference = 24; // difference of a channel
+constexpr double kMaxLarge = 0.005;  // part of the pixels with a large difference
+constexpr double kMaxBeyond = 0.002; // part of the pixels that differ from all others within a reach
+constexpr double kMaxMean = 0.5;     // mean difference of a channel
 
 // How far a channel of the pixel lies, at most, outside the range that the other picture has around that place.
 int largestDifference(const Picture& picture, const Picture& other, std::uint32_t x, std::uint32_t y, int reach)

@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr double kHalf = 1.4;
-// What a ray meets, nearest first.
+// Returns the sheets that a ray meets, nearest first.
 std::vector<std::pair<double, std::size_t>> order(const Scene& scene, double x, double y)
 {
 	std::vector<std::pair<double, std::size_t>> hits;
@@ -31,7 +31,7 @@ using Value = std::function<double(double, double)>;
 struct Comparison
 {
 	std::size_t compared = 0;
-	std::size_t several = 0; // of those, with more than one sheet
+	std::size_t several = 0; // compared pixels with more than one sheet
 	double worst = 0.0;
 };
 

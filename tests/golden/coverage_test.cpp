@@ -49,7 +49,7 @@ TEST_F(Coverage, EdgesHaveAsManyShadesAsSamples)
 				const double covered = 255.0 * std::clamp(edge - x, 0.0, 1.0);
 				const auto seen = picture.pixel(x, 30);
 				EXPECT_NEAR(seen[3], covered, 255.0 / samples * 0.5 + 1.5) << samples << " " << edge << " " << x;
-				// What is half covered keeps its color.
+				// A pixel that is half covered keeps its color.
 				if (seen[3] > 60)
 				{
 					EXPECT_LE(difference(rgb(scene.look.colors.at(0.5)), seen), 3.0);

@@ -93,7 +93,8 @@ int distance(const Picture& picture, std::uint32_t x, std::uint32_t y, const Col
 	return std::max({std::abs(pixel[0] - color.r), std::abs(pixel[1] - color.g), std::abs(pixel[2] - color.b)});
 }
 
-// What the streams of a PDF hold, one after the other. cairo 1.18 and later compress the page's description too.
+// Returns the contents of a PDF's streams, one after the other. cairo 1.18 and later compress the page's description
+// too.
 std::string unpacked(const std::string& pdf)
 {
 	const std::string_view head = "\nstream\n";
@@ -122,7 +123,7 @@ struct Box4
 	std::uint32_t x0, y0, x1, y1;
 };
 
-// Of a window that the slice fills: where it is no longer white, seen from the middle.
+// Returns the box of a window that the slice fills. It ends at white pixels, seen from the middle.
 Box4 filledBox(const Picture& picture, std::uint32_t x, std::uint32_t y)
 {
 	const auto white = [&](std::uint32_t a, std::uint32_t b) { return distance(picture, a, b, {255, 255, 255}) < 8; };

@@ -20,7 +20,7 @@ struct KnownSurface
 // Corners that are where a vertex is already are that vertex.
 void addPolygon(mesh::SheetMesh& mesh, const std::vector<Vec3>& corners);
 
-// The same polygons as the sheet's, with the same look; the window is left out.
+// Returns the polygons of the sheet as a surface with the same look. The window is left out.
 KnownSurface asSurface(const KnownSheet& known);
 
 // A closed surface of triangles about the origin, bulged at random so that it is seen through itself more than twice,

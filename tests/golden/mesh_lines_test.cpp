@@ -79,7 +79,7 @@ TEST_F(MeshLines, AreAsWideAtAnyZoom)
 		scene_.camera.position.z = distance;
 		drawBoth();
 		const double seen = 2.0 * distance * std::tan(20.0 * std::acos(-1.0) / 180.0) * 240.0 / 180.0;
-		return inkOfRow(0.5) / (1.0 + 2.0 * std::floor(0.5 * seen)); // of the lines that are seen
+		return inkOfRow(0.5) / (1.0 + 2.0 * std::floor(0.5 * seen)); // ink per visible line
 	};
 	const double near = inkOfALine(2.0);
 	EXPECT_GT(near, 20.0);

@@ -40,7 +40,7 @@ namespace
 constexpr std::uint32_t kWidth = 320;
 constexpr std::uint32_t kHeight = 240;
 
-// The same scene on any device.
+// Makes the same scene on any device.
 Scene randomScene(gpu::Device& device, unsigned seed, int samples)
 {
 	std::mt19937 random(seed);

@@ -16,7 +16,7 @@ namespace
 using vp::shared::PolygonRecord;
 
 // Depths are floats: nearer than this nobody can tell which is in front.
-constexpr double kCrossingReach = 1e-5; // of near / w
+constexpr double kCrossingReach = 1e-5; // in units of near / w
 
 glm::dvec2 place(const PolygonRecord& record, std::uint32_t k)
 {
@@ -56,9 +56,9 @@ std::optional<double> valueAt(const PolygonRecord& record, const glm::dvec2& at)
 struct Fragment
 {
 	double depth;       // near / w
-	std::size_t number; // of the sheet, or behind all sheets of the surface
+	std::size_t number; // number of the sheet; surfaces are numbered behind all sheets
 	double value;
-	glm::dvec2 slope; // of the depth, a pixel
+	glm::dvec2 slope; // slope of the depth, per pixel
 };
 
 class Rasterizer
@@ -187,7 +187,7 @@ private:
 		return number < sheets ? scene_.sheets[number].opacity : scene_.surfaces[number - sheets].opacity;
 	}
 
-	// Whether they lie so near to each other that a place that is a little off changes their order.
+	// Returns true if both are so close that a small shift of the place changes their order.
 	bool mayCross(const Fragment& a, const Fragment& b) const
 	{
 		const double reach = kCrossingReach + edge_reach_ * glm::length(a.slope - b.slope);

@@ -104,7 +104,8 @@ std::vector<KnownSheet> randomProbe(std::mt19937& random)
 		made.drawing.sheet = probe::makeSheet(origin, direction(random), direction(random));
 		if (!sheets.empty() && random() % 4 == 0)
 		{
-			// The same plane, another place and other axes in it, half of the time seen from its back.
+			// This sheet has the same plane, with another origin and other axes. Half of the time it is seen from its
+			// back.
 			const probe::Sheet& before = sheets.back().drawing.sheet;
 			const Vec3 moved =
 			    before.origin + uniform(random, -0.4, 0.4) * before.xAxis() + uniform(random, -0.4, 0.4) * before.up;

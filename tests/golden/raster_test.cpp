@@ -186,7 +186,7 @@ TEST_F(Raster, SoDoThoseAboutTheEye)
 		}
 }
 
-// What the compute shader draws is what the hardware draws but for pixels that lie on an edge.
+// The compute shader draws the same as the hardware, except for pixels on an edge.
 TEST_F(Raster, BothWaysAgreeOnRandomProbes)
 {
 	Renderer hardware = rendererOf(0);

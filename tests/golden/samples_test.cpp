@@ -13,7 +13,7 @@ namespace
 
 constexpr std::uint32_t kWidth = 160;
 constexpr std::uint32_t kHeight = 120;
-constexpr std::uint32_t kSide = 4; // of a pixel, in pixels of the larger picture
+constexpr std::uint32_t kSide = 4; // side of a pixel, in pixels of the larger picture
 
 // The mean of kSide x kSide pixels.
 Rgb meanOver(const Picture& picture, std::uint32_t x, std::uint32_t y)

@@ -160,7 +160,7 @@ TEST_F(SurfaceLook, SamplesAndTransparentBackgroundAsForALayer)
 	std::size_t half_there = 0;
 	for (std::size_t i = 0; i < one.rgba.size(); ++i)
 	{
-		// Where little is there, dividing by alpha magnifies rounding.
+		// If alpha is small, dividing by it magnifies rounding errors.
 		const double alpha = one.rgba[i | 3] / 255.0;
 		ASSERT_NEAR(one.rgba[i], other.rgba[i], 2.0 / std::max(alpha, 0.01)) << i;
 		half_there += i % 4 == 3 && one.rgba[i] > 10 && one.rgba[i] < 140;
@@ -310,7 +310,7 @@ TEST_F(SurfaceLook, TooManyAreRefused)
 {
 	Scene scene = bareScene(64, 48, 1);
 	scene.surfaces.resize(vp::shared::kMaxSurfaces);
-	EXPECT_TRUE(renderer().draw(scene)); // of nothing
+	EXPECT_TRUE(renderer().draw(scene)); // draws nothing
 	scene.surfaces.resize(vp::shared::kMaxSurfaces + 1);
 	const auto drawn = renderer().draw(scene);
 	ASSERT_FALSE(drawn);

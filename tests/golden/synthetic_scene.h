@@ -55,7 +55,7 @@ const probe::Sheet kFacing = probe::makeSheet({0.0, 0.0, 0.0}, {0.0, 0.0, 1.0});
 // A camera on the z axis that looks at the origin, and a picture with nothing in it: white, no overlay.
 Scene bareScene(std::uint32_t width, std::uint32_t height, int samples);
 
-// Where the ray through the pixel (continuous, from the top left) meets the sheet's square.
+// The place where the ray through a pixel (continuous, from the top left) meets the sheet's square.
 struct Hit
 {
 	double distance; // along the view's axis
@@ -68,6 +68,6 @@ using Rgb = std::array<double, 3>; // 0..255
 Rgb rgb(Color color);
 constexpr Rgb kWhite{255.0, 255.0, 255.0};
 Rgb over(const Rgb& front, double opacity, const Rgb& back);
-double difference(const Rgb& expected, const std::array<std::uint8_t, 4>& pixel); // of the channel that differs most
+double difference(const Rgb& expected, const std::array<std::uint8_t, 4>& pixel); // in the worst channel
 
 } // namespace vp::render::test

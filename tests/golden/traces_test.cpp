@@ -56,7 +56,7 @@ std::array<std::uint8_t, 4> pixelAt(const Scene& scene, const Picture& picture, 
 }
 
 constexpr double kTraceWidth = 0.2;
-constexpr double kTolerance = 6.0; // of 255: a pixel is wider than the map is fine
+constexpr double kTolerance = 6.0; // in steps of 1 / 255: a pixel covers several colors of the map
 
 } // namespace
 

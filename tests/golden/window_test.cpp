@@ -73,7 +73,7 @@ TEST_F(Windows, InsideThePixelsAreThoseOfTheWholeSheetAndOutsideThereAreNone)
 						    << x << " " << y;
 						ASSERT_EQ(clipped.pixel(x, y)[3], whole_pixel[3]) << x << " " << y;
 					}
-					// Of a strip narrower than a pixel all corners may be outside.
+					// All corners of a strip that is narrower than a pixel may be outside.
 					else if (all_out && window.x1 - window.x0 > 0.1)
 					{
 						++outside;

@@ -34,7 +34,7 @@ std::vector<shared::PolygonRecord> download(const classify::SheetRecords::Page& 
 	return records;
 }
 
-// What a record should hold, in double.
+// The values that a record should hold, in double precision.
 struct ExpectedVertex
 {
 	PointId lower;
@@ -130,7 +130,7 @@ private:
 	const grid::BlockSet& blocks_;
 	const std::optional<grid::FieldChoice>& field_;
 	bool singles_;
-	std::map<std::array<std::uint32_t, 3>, std::array<float, 2>> vertices_; // of the sheet, by block and edge
+	std::map<std::array<std::uint32_t, 3>, std::array<float, 2>> vertices_; // vertices of the sheet, by block and edge
 };
 
 } // namespace
@@ -193,7 +193,7 @@ void expectSameCells(const CutBothWays& cut)
 		for (std::size_t i = 0; i < gpu.cells.size(); ++i)
 		{
 			ASSERT_EQ(gpu.codes[i] & ~shared::kCodeWalk, cpu.codes[i] & ~shared::kCodeWalk) << "cell " << gpu.cells[i];
-			// What the table cannot say, the GPU does not say either.
+			// If the case table has no answer, the GPU has none either.
 			ASSERT_TRUE(!(cpu.codes[i] & shared::kCodeWalk) || (gpu.codes[i] & shared::kCodeWalk))
 			    << "cell " << gpu.cells[i];
 		}
@@ -237,7 +237,7 @@ void expectRecords(const grid::BlockSet& blocks, std::span<const probe::Sheet> s
 		}
 		for (const auto& [block, count] : next_cell)
 			EXPECT_EQ(count, cut.gpu[s * blocks.blocks.size() + block].cells.size());
-		// What lies between runs is drawn too, and must be empty.
+		// The records between runs are drawn too, so they must be empty.
 		for (std::size_t p = 0; p < pages.size(); ++p)
 			for (std::size_t i = 0; i < pages[p].size(); ++i)
 				EXPECT_TRUE(covered[p][i] || pages[p][i].vertices == 0) << "record " << i << " of page " << p;

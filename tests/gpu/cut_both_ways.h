@@ -28,7 +28,7 @@ struct CutBothWays
 CutBothWays cutBothWays(classify::GpuBlocks& blocks, std::span<const probe::Sheet> sheets,
                         const std::optional<grid::FieldChoice>& field, Timeline* timeline = nullptr);
 
-// The same cells in the same order with the same codes, but for kCodeWalk.
+// Expects the same cells in the same order with the same codes, except for kCodeWalk.
 void expectSameCells(const CutBothWays& cut);
 
 // Every record of the GPU is the polygon of its cell, recomputed here in double, or empty where the cell is walked or

@@ -54,7 +54,7 @@ protected:
 	}
 };
 
-// The same as on a discrete device: device memory is reached by copies only.
+// Behaves as on a discrete device: only copies reach device memory.
 class StagedGpuTest : public GpuTest
 {
 protected:

@@ -65,7 +65,7 @@ TEST_F(GpuPrecision, AndWithoutDoubles)
 	cutNearWall(device(), Vec3(1e7, -1e7, 2e7), false);
 }
 
-// What is exported is the CPU's mesh to the last bit, and next to no cell is left to the CPU.
+// The exported mesh equals the CPU's mesh to the last bit, and almost no cell is left to the CPU.
 TEST_F(GpuPrecision, FineCellsFarAwayGiveTheSameMesh)
 {
 	for (const bool as_hexahedra : {false, true})

@@ -151,7 +151,7 @@ TEST_F(GpuSurfaceClassifier, EveryFunctionHasItsBound)
 		EXPECT_GT(codes.cut, 50u) << text;
 		RecordProperty(text, fmt::format("{} of {}", codes.walked, codes.cut));
 	}
-	// Where it is defined everywhere few cells are left open.
+	// If the function is defined everywhere, few cells stay undecided.
 	for (const char* text : {"abs(x + y) - 1.1", "cos(x + 4*y) - 0.3*z", "exp(x - y) - 3", "tanh(x - y) - 0.6"})
 	{
 		const SurfaceWords codes = classify(*blocks, text);

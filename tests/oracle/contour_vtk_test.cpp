@@ -27,7 +27,7 @@ namespace vp::test
 namespace
 {
 
-// What counts as a polygon's surface here: the triangles about the mean of its corners.
+// Returns the surface of polygons as triangles about the mean of the corners.
 vtkSmartPointer<vtkPolyData> inFans(vtkPolyData* surface)
 {
 	vtkNew<vtkPoints> points;
@@ -144,7 +144,7 @@ void expectSame(const grid::BlockSet& set, const std::string& array, const TestP
 		const double ours = measure::measure(set, contour.mesh, {}).area;
 		const double theirs = areaOnSheet(clipped(inFans(filter->GetOutput()), contourer.box()), contourer.box());
 		EXPECT_GT(ours, 0.0);
-		// Where a cell's surface is ambiguous each has a rule of its own.
+		// If a cell's surface is ambiguous, the two programs have different rules.
 		EXPECT_EQ(contour.mesh.cells_twisted, 0u) << part;
 		EXPECT_NEAR(ours, theirs, 1e-4 * theirs) << part;
 	}

@@ -150,7 +150,7 @@ std::vector<TestPlane> planesFor(const grid::Block& block)
 	return planes;
 }
 
-// Of the polygons of each cell together, by the mesh's own winding.
+// Returns the area of all polygons of each cell, signed by the mesh's winding.
 std::map<CellId, double> polygonAreas(const mesh::SheetMesh& mesh, const Vec3& normal)
 {
 	std::map<CellId, double> areas;

@@ -21,7 +21,7 @@ namespace vp::test
 namespace
 {
 
-// What vtkCutter makes of it, measured by the same rule: fans about the means of the polygons' vertices.
+// The result of vtkCutter, measured by the same rule: fans about the means of the polygons' vertices.
 struct VtkCut
 {
 	std::set<CellId> cells;

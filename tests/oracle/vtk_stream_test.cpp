@@ -112,7 +112,7 @@ vtkSmartPointer<vtkPolyData> tracedByVtk(vtkUnstructuredGrid* grid, const Vec3& 
 	tracer->SetMaximumIntegrationStep(0.01);
 	tracer->SetMaximumError(1e-9);
 	tracer->SetMaximumNumberOfSteps(100'000);
-	// Where vectors run together VTK's steps, which have a least length, go to and fro.
+	// If vectors converge, VTK's steps, which have a least length, go back and forth.
 	tracer->SetTerminalSpeed(0.1 * speed);
 	tracer->SetMaximumPropagation(length);
 	tracer->SetComputeVorticity(false);

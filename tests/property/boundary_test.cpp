@@ -25,7 +25,7 @@ struct Figures
 	measure::SheetMeasure measure;
 	vectors::Flux flux;
 
-	// Of everything that is shown.
+	// Returns the area of everything that is shown.
 	double area() const { return measure.area + measure.boundary_area; }
 	double integral() const
 	{
@@ -34,7 +34,7 @@ struct Figures
 	double through() const { return flux.through + flux.boundary; }
 };
 
-// Nothing if the strategy cannot cut this set.
+// Returns the figures by a strategy. Returns nothing if the strategy cannot cut this set.
 std::optional<Figures> figuresBy(find::Strategy strategy, cut::Cutter& cutter, const TestPlane& plane)
 {
 	cut::CutRequest request;
@@ -73,7 +73,7 @@ AtPlace byHand(const Vec3& p)
 
 } // namespace
 
-// Of u = x + 2 y the mean over the unit square is 1.5, and (1, 2, 3) flows through it with 3.
+// The mean of u = x + 2 y over the unit square is 1.5, and the flux of (1, 2, 3) through it is 3.
 TEST(Boundary, OfTheUnitCubeByHand)
 {
 	for (const RawKind kind : {RawKind::image, RawKind::rectilinear, RawKind::curvilinear, RawKind::cells})
@@ -147,7 +147,7 @@ TEST(Boundary, LeavesOutWhatIsNotFinite)
 	// The square about (0.25, 0.25), where u is 0.75, has a corner without a value.
 	EXPECT_NEAR(told->measure.boundary_mean.value(), (1.5 - 0.25 * 0.75) / 0.75, 1e-14);
 	EXPECT_NEAR(told->flux.boundary, 0.75 * 3.0, 1e-14);
-	EXPECT_EQ(told->measure.nan_area, 0.0); // of what is cut
+	EXPECT_EQ(told->measure.nan_area, 0.0); // the area that is cut
 }
 
 namespace
@@ -226,7 +226,7 @@ TEST(Boundary, AndWhatIsCutMakeOneWholeInTheMirrorToo)
 	EXPECT_GT(in_boundary, static_cast<std::size_t>(tries(20)));
 }
 
-// What is told of boundary faces is what their polygons are.
+// The figures of boundary faces are those of their polygons.
 TEST(Boundary, FiguresAreThoseOfThePolygons)
 {
 	std::size_t with_faces = 0;

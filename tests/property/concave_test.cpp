@@ -17,9 +17,9 @@ namespace
 struct Witness
 {
 	double area = 0.0;
-	double moment = 0.0;    // of the linear field
-	double unsigned_ = 0.0; // of the triangles about the mean of the vertices
-	bool crosses = false;   // itself
+	double moment = 0.0;    // moment of the linear field
+	double unsigned_ = 0.0; // area of the triangles about the mean of the vertices
+	bool crosses = false;   // the polygon crosses itself
 };
 
 double turn(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal)

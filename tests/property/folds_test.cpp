@@ -57,7 +57,7 @@ TEST(Folds, AxesThatTurnBack)
 		EXPECT_EQ(cut(cutter, plane).cutCells(), scanCutCells(block, plane));
 }
 
-// What is listed is where the grid is folded and not all of it.
+// The list holds the folded part of the grid, not the whole grid.
 TEST(Folds, OnlyCellsAboutThePeakAreListed)
 {
 	for (const LatticeKind kind : {LatticeKind::curvilinear, LatticeKind::hexahedra, LatticeKind::polyhedra})

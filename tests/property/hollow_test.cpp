@@ -160,7 +160,7 @@ void addCellVectors(grid::BlockSet& set, const std::vector<Vec3>& of_cells)
 
 } // namespace
 
-// Of (x, y, z): through z = 1/2 half the area, through x = 3/2 three halves of it.
+// The flux of (x, y, z) is half the area through z = 1/2, and three halves of the area through x = 3/2.
 TEST(Hollow, Flux)
 {
 	for (const bool filled : {false, true})
@@ -182,7 +182,7 @@ TEST(Hollow, Flux)
 	EXPECT_NEAR(fluxOf(ring, {{1.5, 1.5, 1.0}, kUp}), 24.0, 1e-12);
 }
 
-// Of u = x: a line is as long as the section is at that x.
+// For u = x, a contour line is as long as the section at that x.
 TEST(Hollow, ContourLines)
 {
 	for (const bool filled : {false, true})
@@ -212,7 +212,7 @@ TEST(Hollow, Thresholds)
 		EXPECT_NEAR(areaOf(set, plane, find::Threshold{0.0, 0.0}, id), whole - inside, 1e-12);
 		EXPECT_NEAR(areaOf(set, plane, find::Threshold{1.0, 1.0}, id), inside, 1e-12);
 		EXPECT_NEAR(areaOf(set, plane, find::Threshold{0.0, 1.0}, id), whole, 1e-12);
-		// Of u = x, the cell within goes from 1 to 2, the other one from 0 to 3.
+		// For u = x, values go from 1 to 2 in the inner cell, and from 0 to 3 in the outer one.
 		EXPECT_NEAR(areaOf(set, plane, find::Threshold{2.5, 9.0}), whole - inside, 1e-12);
 		EXPECT_NEAR(areaOf(set, plane, find::Threshold{1.2, 1.8}), whole, 1e-12);
 		EXPECT_EQ(areaOf(set, plane, find::Threshold{3.5, 9.0}), 0.0);

@@ -55,7 +55,8 @@ double meanOf(const grid::BlockSet& set, const SlicedSheet& sheet)
 	    .mean.value_or(0.0);
 }
 
-// Whether the plane holds a whole boundary face but for rounding, which then decides whether it is shown.
+// Returns true if the plane holds a whole boundary face up to rounding. Rounding then decides whether the face is
+// shown.
 bool liesOnBoundary(const Pair& pair)
 {
 	const grid::BlockSet& set = pair.set;

@@ -18,8 +18,8 @@ namespace vp::test
 namespace
 {
 
-// What is shown. "linear" goes on across any join, "smooth" where faces match, and the others jump anywhere, from copy
-// to copy of a point.
+// The shown array. "linear" is continuous across any join, "smooth" if faces match, and the others jump anywhere, from
+// copy to copy of a point.
 const std::vector<grid::FieldChoice> kArrays = {{"linear"},
                                                 {"smooth"},
                                                 {"jump"},
@@ -154,7 +154,7 @@ private:
 
 	RawSet raw_;
 	grid::BlockSet set_;
-	std::vector<std::vector<Vec3>> places_; // of the points by their numbers in the source
+	std::vector<std::vector<Vec3>> places_; // places of the points, by their numbers in the source
 	std::map<std::pair<std::uint32_t, CellId>, grid::BlockSet> cells_;
 };
 
@@ -228,7 +228,7 @@ void checkJoins(Parted& parted, const TestPlane& plane, const std::optional<prob
 			for (const auto& [one, of_cell] : cells)
 				sum.add(*one, of_cell, array);
 			const double largest = largestOf(set, array);
-			// Where coordinates are large, their own rounding is.
+			// Large coordinates have large rounding errors.
 			const double rounding = 256.0 * std::numeric_limits<double>::epsilon() * reach;
 			const double slack = 1e-12 * sum.area + rounding * box.diagonal();
 			EXPECT_NEAR(whole.area, sum.area, slack) << array.name;

@@ -140,7 +140,7 @@ public:
 
 	struct Section
 	{
-		Real area = 0.0L; // of the loops, less those that are holes in others
+		Real area = 0.0L; // area of the loops, less those that are holes in others
 		Real slack = 0.0L;
 		bool closed = true;
 	};
@@ -378,7 +378,7 @@ void checkFinders(const Pair& pair, cut::Cutter& cutter, const std::optional<pro
 		EXPECT_EQ(spread.cutCells(b), expected.cutCells(b)) << "hot spots, block " << b;
 	if (pair.set.interfaces.seam_faces == 0)
 		return expectSameMesh(found.mesh, expected.mesh);
-	// Of vertices at one place, a rounding apart, the one stays that comes first.
+	// If several vertices are at one place, up to rounding, the first one stays.
 	const double size = pair.set.bounds().diagonal();
 	EXPECT_NEAR(areaOf(found), areaOf(expected), roundingOf(pair.set, pair.plane) * size * 16.0);
 }

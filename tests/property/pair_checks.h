@@ -37,7 +37,7 @@ void checkInvariance(const Pair& pair, unsigned seed);
 // The fastest way to find cells makes the same mesh as the traversal, of the whole sheet or within a window.
 void checkFinders(const Pair& pair, cut::Cutter& cutter, const std::optional<probe::Window>& window);
 
-// Of all polygons, as vector areas along the sheet's normal.
+// Returns the area of all polygons, as vector areas along the sheet's normal.
 double areaOf(const SlicedSheet& sheet);
 
 } // namespace vp::test

@@ -13,7 +13,7 @@ struct PrismSet
 {
 	RawSet raw;                      // cell 0 is the prism, cell 1 the rest
 	std::vector<glm::dvec2> polygon; // counter-clockwise
-	double height;                   // of the box over its base from (0, 0) to (1, 1), before it is placed
+	double height;                   // height of the box over its base from (0, 0) to (1, 1), before it is placed
 	Vec3 axes[3];                    // how it is placed: p -> shift + p.x axes[0] + p.y axes[1] + p.z axes[2]
 	Vec3 shift;
 
@@ -30,7 +30,7 @@ TestPlane prismPlane(const PrismSet& set, unsigned seed);
 struct PrismSection
 {
 	double area = 0.0;
-	double moment = 0.0; // of linearAt()
+	double moment = 0.0; // moment of linearAt()
 };
 
 PrismSection sectionOfPrism(const PrismSet& set, const TestPlane& plane);

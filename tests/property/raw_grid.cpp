@@ -80,7 +80,7 @@ grid::BlockSet build(const RawSet& raw)
 
 RawBlock shuffled(const RawBlock& raw, std::mt19937& random, std::vector<std::size_t>& order)
 {
-	std::vector<std::size_t> place(raw.points.size()); // of each point
+	std::vector<std::size_t> place(raw.points.size()); // new number of each point
 	std::iota(place.begin(), place.end(), std::size_t(0));
 	std::ranges::shuffle(place, random);
 	order.resize(raw.cells.size());

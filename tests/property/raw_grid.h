@@ -16,7 +16,7 @@ struct RawCell
 {
 	std::uint8_t type; // VTK's; 42: polyhedron
 	std::vector<std::int64_t> ids;
-	std::vector<std::vector<std::int64_t>> faces; // of a polyhedron
+	std::vector<std::vector<std::int64_t>> faces; // faces of a polyhedron
 };
 
 enum class RawKind
@@ -30,13 +30,13 @@ enum class RawKind
 struct RawBlock
 {
 	RawKind kind = RawKind::cells;
-	std::array<std::uint32_t, 3> points_along{}; // of a lattice
-	std::vector<Vec3> points;                    // of a lattice in its order
-	std::vector<RawCell> cells;                  // of the others
+	std::array<std::uint32_t, 3> points_along{}; // if it is a lattice
+	std::vector<Vec3> points;                    // if it is a lattice, in its order
+	std::vector<RawCell> cells;                  // if it is not a lattice
 	bool floats = false;                         // coordinates kept as floats
 };
 
-// What may be asked of a set.
+// A set of grids, and the faults that it may have.
 struct RawSet
 {
 	std::string name;

@@ -35,7 +35,7 @@ std::vector<Way> ways()
 	return all;
 }
 
-// What one way finds of a plane, cells by their source numbers.
+// The result of one strategy for a plane, with the source numbers of cells.
 struct Found
 {
 	std::vector<std::vector<std::size_t>> cells; // per block
@@ -115,7 +115,7 @@ void expectSame(const Found& found, const Found& expected, double largest)
 	}
 }
 
-// The same set, as it is before anything knows its neighbors. Nothing if a block is a lattice.
+// Returns the set without neighbors. Returns nothing if a block is a lattice.
 std::optional<grid::BlockSet> listedSet(const grid::BlockSet& set)
 {
 	grid::BlockSet listed;

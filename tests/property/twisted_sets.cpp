@@ -57,7 +57,7 @@ TwistedSet twistedSet(LatticeKind kind, std::uint32_t mask, unsigned seed)
 	Draw draw(seed);
 	TwistedSet set = untouched(kind, draw);
 	std::vector<Vec3>& points = set.raw.blocks[0].points;
-	constexpr double kClear = 0.05; // of the plane
+	constexpr double kClear = 0.05; // distance from the plane
 	for (Vec3& p : points)
 	{
 		p -= Vec3(1.5);

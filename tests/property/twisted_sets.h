@@ -17,6 +17,6 @@ struct TwistedSet
 // For lattices and cells of one shape, and polyhedra.
 TwistedSet twistedSet(LatticeKind kind, std::uint32_t mask, unsigned seed);
 
-int twistedPoints(LatticeKind kind); // of the cell
+int twistedPoints(LatticeKind kind); // number of points of the cell
 
 } // namespace vp::test

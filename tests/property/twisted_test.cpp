@@ -62,7 +62,7 @@ TEST(Twisted, EveryMaskOfTheOtherShapes)
 TEST(Twisted, PolyhedraWithWarpedFaces)
 {
 	checkMasks(LatticeKind::polyhedra, 1, 1);
-	checkMasks(LatticeKind::hexagonal, 23, 1); // of twelve points
+	checkMasks(LatticeKind::hexagonal, 23, 1); // a cell of twelve points
 	checkMasks(LatticeKind::doubles, 29, 1);
 }
 

@@ -14,7 +14,7 @@ namespace vp::test
 namespace
 {
 
-using PointName = std::pair<std::size_t, PointId>; // of a block
+using PointName = std::pair<std::size_t, PointId>; // block and point
 
 // The points that are one place across seams, by one of their names.
 class JoinedPoints
@@ -66,7 +66,7 @@ private:
 	std::map<PointName, PointName> other_; // to a lesser name
 };
 
-// Whether two vertices lie on one face of the domain's boundary: without a neighbor, and on no seam.
+// Finds out whether two vertices lie on one face of the domain's boundary: without a neighbor, and on no seam.
 class BoundaryFaces
 {
 public:

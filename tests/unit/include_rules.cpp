@@ -49,7 +49,7 @@ struct Include
 	fs::path file; // from the root
 	std::string header;
 
-	std::string folder() const { return std::next(file.begin())->string(); } // of engine/
+	std::string folder() const { return std::next(file.begin())->string(); } // a folder of engine/
 	std::string where() const { return file.string() + " includes " + header; }
 };
 
@@ -151,7 +151,7 @@ TEST(IncludeRules, LibrariesStandInTheSameOrder)
 	EXPECT_GE(last, 0);
 }
 
-// What a library uses is what its files include, but for what another room that they include brings along.
+// A library uses exactly the rooms that its files include, except for those that another included room brings along.
 TEST(IncludeRules, LibrariesUseWhatTheirFilesInclude)
 {
 	const std::string lists = textOf(kRoot / "engine/CMakeLists.txt");

@@ -31,7 +31,7 @@ constexpr const char* kManagerSettings = R"(<?xml version="1.0"?>
 </openbox_config>
 )";
 
-// What lavapipe needs to be found where nothing else says which device is meant.
+// Returns the driver file of lavapipe, which is used if no other device is chosen.
 std::string lavapipe()
 {
 	for (const auto& entry : std::filesystem::directory_iterator("/usr/share/vulkan/icd.d"))

@@ -27,7 +27,7 @@ protected:
 
 	// --- vprobe view. Opens it with --commands and --stats on top of the arguments; returns when all is shown.
 	void open(const cli::Arguments& arguments);
-	void command(const std::string& line) const; // of --commands
+	void command(const std::string& line) const; // a line of --commands
 	void act(const std::string& action) const { command("do " + action); }
 	nlohmann::json settle(); // when all is done and shown: the state
 	nlohmann::json state();  // as it is now
@@ -59,7 +59,7 @@ protected:
 
 	static constexpr int kScreenWidth = 1400;
 	static constexpr int kScreenHeight = 900;
-	static constexpr int kWidth = 1000; // of the window, until it gets another size
+	static constexpr int kWidth = 1000; // size of the window, until it gets another size
 	static constexpr int kHeight = 700;
 
 private:

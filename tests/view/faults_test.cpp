@@ -39,7 +39,7 @@ TEST_P(WindowOnAFaultyDevice, Stays)
 	act("bands");
 	const nlohmann::json set = settle();
 	EXPECT_EQ(set["probe"]["probe"], "trihedral") << set.dump(1);
-	// What was done before is undone still.
+	// A step from before can still be undone.
 	act("undo");
 	act("undo");
 	EXPECT_EQ(settle()["probe"]["probe"], "single");

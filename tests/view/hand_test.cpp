@@ -52,7 +52,7 @@ protected:
 	Area area_;
 };
 
-// Where the sheet is, and no handle of it.
+// A place on the sheet without a handle.
 constexpr Vec3 kOnTheSheet{1.2, 1.2, 0.1};
 
 } // namespace

@@ -10,7 +10,7 @@
 namespace view
 {
 
-// What is seen in the scene, by a saved state that gives origin, normal, window and camera.
+// The visible probe, from a saved state that has origin, normal, window and camera.
 struct SeenProbe
 {
 	vp::probe::Probe probe;
@@ -24,7 +24,7 @@ SeenProbe seenProbe(const nlohmann::json& state, const vp::Box& bounds, const Ar
 
 // A place on the screen where a hand takes this handle and no other; fails the test where there is none.
 glm::ivec2 pixelOf(const SeenProbe& seen, const vp::interact::Handle& handle);
-// Where a point of the world is seen.
+// Returns the pixel where a point of the world is seen.
 glm::ivec2 pixelOf(const SeenProbe& seen, const vp::Vec3& point);
 
 } // namespace view

@@ -15,8 +15,8 @@ namespace
 using vp::interact::Action;
 using vp::interact::Binding;
 
-// What would end the window, write where the test does not look, or keep a film loop: its pictures are memory that is
-// meant to grow.
+// These actions are left out: they would end the window, write files that the test does not check, or keep a film loop,
+// whose pictures take more and more memory.
 bool isLeftOut(Action action)
 {
 	switch (action)

@@ -10,7 +10,7 @@ namespace view
 // Far more than anything here takes on a busy machine: what has not come by then does not come.
 constexpr double kPatience = 30.0;
 
-// Whether it comes true within so many seconds; it is looked at again and again.
+// Checks a condition again and again. Returns true if it becomes true within so many seconds.
 inline bool eventually(const std::function<bool()>& holds, double seconds = kPatience)
 {
 	const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);

@@ -13,8 +13,8 @@ struct Area
 	std::uint32_t x = 0, y = 0, width = 0, height = 0;
 };
 
-// What a screen of Xvfb shows: the file that it keeps with -fbdir, in X's window dump format of 32 bits a pixel (see
-// X11/XWDFile.h). 0 x 0 where the file is no such.
+// Reads what a screen of Xvfb shows: the file that it keeps with -fbdir, in X's window dump format of 32 bits per pixel
+// (see X11/XWDFile.h). The picture is 0 x 0 if the file has another format.
 vp::render::Picture readScreen(const std::string& file);
 
 vp::render::Picture part(const vp::render::Picture& picture, const Area& area);

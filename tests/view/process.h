@@ -32,7 +32,7 @@ public:
 	// How it ended, 128 + signal where one killed it; none after so many seconds.
 	std::optional<int> waitFor(double seconds);
 	void interrupt(int signal) const;
-	// Of the memory that it has in use; 0 where it does not run.
+	// Returns the bytes of memory that the process uses, or 0 if it does not run.
 	std::size_t residentBytes() const;
 
 private:

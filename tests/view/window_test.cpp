@@ -30,7 +30,7 @@ std::string smallImage(int period)
 	return text;
 }
 
-// Of a PNG, from its header.
+// Returns the size of a PNG, from its header.
 glm::ivec2 sizeOfPng(const std::string& file)
 {
 	const std::string bytes = cli::contents(file);

@@ -9,7 +9,7 @@
 namespace vp::layer
 {
 
-/// What a call may return, in bits.
+/// Errors that a call may return, as bits.
 enum FaultBits : unsigned
 {
 	kHostMemory = 1,

@@ -117,7 +117,7 @@ VKAPI_ATTR void VKAPI_CALL freeMemory(VkDevice device, VkDeviceMemory memory, co
 	next.free_memory(device, memory, callbacks);
 }
 
-// Of the two types that stand for one (Restrictions::limit).
+// Splits memory types: two types stand for one (Restrictions::limit).
 void splitTypes(VkMemoryRequirements& requirements)
 {
 	if (!restrictions().mapped_memory)
@@ -348,7 +348,7 @@ PFN_vkVoidFunction find(const Entry (&entries)[size], const char* name)
 PFN_vkVoidFunction VKAPI_CALL deviceFunction(VkDevice device, const char* name)
 {
 	const NextDevice& next = deviceOf(device);
-	// What the next layer does not have, this one does not either.
+	// If the next layer does not have a function, this one does not have it either.
 	const PFN_vkVoidFunction there = next.get(device, name);
 	const PFN_vkVoidFunction here = find(kDeviceFunctions, name);
 	return there && here ? here : there;

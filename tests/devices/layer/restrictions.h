@@ -8,7 +8,7 @@
 namespace vp::layer
 {
 
-/// What the layer takes from a device, by the names in VPROBE_LAYER_RESTRICT (separated by commas):
+/// Restricts a device. VPROBE_LAYER_RESTRICT has the names of the restrictions, separated by commas:
 ///   no-float64         no doubles in shaders
 ///   small-uniforms     uniform buffers of 16 KiB
 ///   small-storage      storage buffers of 128 MiB
@@ -43,11 +43,11 @@ struct Restrictions
 	void limit(VkPhysicalDeviceFeatures& features) const;
 	void limit(VkPhysicalDeviceMemoryProperties& memory) const;
 	void limit(std::vector<VkQueueFamilyProperties>& families) const;
-	/// Of a structure in a pNext chain.
+	/// Limits a structure in a pNext chain.
 	void limitChained(void* chain) const;
 	bool hides(const std::string& extension) const;
 };
 
-constexpr std::uint32_t kAllocations = 32; // of few-allocations
+constexpr std::uint32_t kAllocations = 32; // limit of few-allocations
 
 } // namespace vp::layer

@@ -23,7 +23,7 @@ double sumOf(const std::vector<double>& numbers)
 	return sum.value();
 }
 
-// Of any exponent but the largest, and of both signs.
+// Returns numbers of any exponent except the largest, and of both signs.
 std::vector<double> anyNumbers(std::size_t count, std::mt19937_64& random)
 {
 	std::vector<double> numbers;

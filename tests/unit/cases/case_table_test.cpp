@@ -32,8 +32,8 @@ std::vector<Corner> cornersOf(CellShape shape)
 	}
 }
 
-// Whether a plane parts the corners of a mask from the others. The perceptron finds one where there is one, after at
-// most (R / margin)^2 corrections: a few hundred for corners as near the origin as these.
+// Returns true if a plane separates the corners of a mask from the others. If there is one, the perceptron finds it
+// after at most (R / margin)^2 corrections: a few hundred for corners as near the origin as these.
 bool separable(CellShape shape, unsigned mask)
 {
 	const std::vector<Corner> corners = cornersOf(shape);

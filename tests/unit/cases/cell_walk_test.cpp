@@ -87,7 +87,7 @@ TEST(CellWalk, AmbiguousFaceFollowsItsCenter)
 	EXPECT_EQ(joined.edges.size(), 6u);
 }
 
-// What one cell pairs on a face, the cell on its other side pairs too, though it lists the face the other way round.
+// Both cells of a face pair its edges in the same way, though they list the face in opposite senses.
 TEST(CellWalk, BothCellsOfAnAmbiguousFaceAgree)
 {
 	const auto pairs = [](const WalkFaces& faces, unsigned mask, bool center)

@@ -49,7 +49,7 @@ struct Loops
 			sum += area(loop);
 		return sum;
 	}
-	// Whether a side of a loop crosses another one.
+	// Returns true if a side of a loop crosses another side.
 	bool crosses() const
 	{
 		for (int loop = 0; loop < cut.polygons(); ++loop)

@@ -9,7 +9,8 @@ namespace vp::test
 namespace
 {
 
-// Of a box by a plane n.x = d with no zero in n: the second differences of the simplex volumes cut off at each corner.
+// Returns the area of a box's section by a plane n.x = d with no zero in n: the second differences of the simplex
+// volumes that are cut off at each corner.
 double boxSection(const Box& box, const TestPlane& plane)
 {
 	Vec3 n = glm::normalize(plane.normal);
@@ -46,7 +47,7 @@ std::vector<grid::Block> boxes()
 	return {gridNamed("blob"), gridNamed("graded"), gridNamed("mixed"), gridNamed("inverted"), cube(5)};
 }
 
-// Of all that is shown: what is cut, and boundary faces in the plane.
+// Returns the area of everything that is shown: the cut, and boundary faces in the plane.
 double areaOf(cut::Cutter& cutter, const TestPlane& plane)
 {
 	const SlicedSheet sheet = cut(cutter, plane);

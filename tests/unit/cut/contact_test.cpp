@@ -105,7 +105,7 @@ TEST(Contact, CornersThatAreAddedChangeNoMean)
 	EXPECT_NEAR(shown.figures.area, 1.5, 1e-14);
 }
 
-// What is added on the side of the large polygon has a vector between those of its ends, which here is 0.
+// A vertex that is added on the side of the large polygon has a vector between those of its ends, which is 0 here.
 TEST(Contact, CornersThatAreAddedHaveNoPartInTheRange)
 {
 	grid::BlockSet set = cubeBesideFour();

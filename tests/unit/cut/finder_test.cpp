@@ -16,7 +16,7 @@ namespace vp::test
 namespace
 {
 
-// What the fastest way finds, held against the traversal.
+// Compares what the fastest strategy finds with the traversal.
 std::size_t compareFinders(const grid::BlockSet& set, const TestPlane& plane, const seed::SeedOptions& seeds = {},
                            const std::optional<probe::Window>& window = std::nullopt)
 {

@@ -154,7 +154,7 @@ TEST(RefinedCut, CellsThatTheSheetMissesAreLeftAlone)
 	{
 		const Vec3 origin = 0.4 * glm::normalize(normal);
 		const Section cut = section(cutter, origin, normal);
-		// Those with a control point on either side, and no others.
+		// The cells with control points on both sides are cut, and no others.
 		const surface::Plane plane(origin, normal);
 		std::size_t met = 0;
 		for (std::size_t c = 0; c < curved.cells.size(); ++c)

@@ -49,7 +49,7 @@ struct Pair
 	}
 };
 
-/// What a scan finds in a list, and in a grid with neighbors, held against the traversal, to the last bit.
+/// Compares what a scan finds in a list, and in a grid with neighbors, with the traversal, to the last bit.
 void compare(const Pair& pair, const cut::CutRequest& request)
 {
 	const SlicedSheet expected = sheetBy(pair.linked, request, find::Strategy::generations);

@@ -233,7 +233,7 @@ TEST(Window, AtAnInterfaceCountsWhatReachesIntoIt)
 	EXPECT_GT(parted, 100u);
 }
 
-// What fx magnifies is the smaller window's content.
+// fx magnifies the content of the smaller window.
 TEST(Window, FxShowsTheContentOfASmallerOne)
 {
 	const grid::BlockSet set = setOf(gridNamed("shell"));

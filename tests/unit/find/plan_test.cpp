@@ -42,7 +42,7 @@ std::vector<Row> tableRows()
 	return rows;
 }
 
-/// What the command line makes of the options of a row, and whether a device classifies.
+/// The settings from the options of a row, and whether a device classifies.
 struct Case
 {
 	cut::CutRequest request;

@@ -31,7 +31,7 @@ double boundaryArea(const Block& block)
 
 TEST(Boundary, AreasOfBoxes)
 {
-	// Of the 6^3 box; the mixed grid shows no inner face only if all its shapes meet.
+	// The surface of the 6^3 box. The mixed grid shows no inner face only if all its shapes meet.
 	EXPECT_NEAR(boundaryArea(test::gridNamed("blob")), 216.0, 1e-9);
 	EXPECT_NEAR(boundaryArea(test::gridNamed("graded")), 216.0, 1e-9);
 	EXPECT_NEAR(boundaryArea(test::gridNamed("mixed")), 216.0, 1e-5);

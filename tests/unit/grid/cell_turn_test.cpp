@@ -100,7 +100,7 @@ TEST(CellTurn, GoodCornersAreNotEnough)
 	EXPECT_EQ(turnOf(CellShape::wedge, wedge), Turn::mixed);
 }
 
-// What is called positive is so at every point; what is mixed and not flat is mostly so too.
+// A cell that is called positive is so at every point. A cell that is mixed and not flat is mostly so too.
 TEST(CellTurn, OfHexahedraIsTheSignOfTheJacobian)
 {
 	std::mt19937 random(2);

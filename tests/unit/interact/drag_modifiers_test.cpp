@@ -19,7 +19,7 @@ constexpr Modifiers kSnap{false, true, false, false};
 constexpr Modifiers kBothSides{false, false, true, false};
 constexpr Modifiers kOwn{false, false, false, true};
 
-// What handles there may be in a scene, seen or not.
+// Returns all handles that may be in a scene, visible or not.
 std::vector<Handle> everyHandle(const Scene& scene)
 {
 	std::vector<Handle> handles;

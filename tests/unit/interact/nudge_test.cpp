@@ -77,7 +77,7 @@ TEST(Nudge, EqualWindowsGrowTogether)
 	EXPECT_TRUE(interact::withWindowScaled(wheel, 0, 2.0, bounds) == wheel);
 }
 
-// What is shown under a pointer, by the pick that a viewer asks.
+// The magnifier does not change what is shown under the pointer, by the same pick as the viewer's.
 TEST(Nudge, TheMagnifierKeepsWhatIsUnderThePointer)
 {
 	std::mt19937 random(2);
@@ -133,7 +133,7 @@ TEST(Placing, NormalsTurnAsLittleAsCanBe)
 		expectFrame(turned);
 		EXPECT_EQ(turned.origin, frame.origin);
 		EXPECT_LT(glm::length(turned.normal - glm::normalize(to)), 1e-14);
-		// What is at right angles to both normals is not turned.
+		// A vector that is perpendicular to both normals is not turned.
 		const Vec3 axis = glm::normalize(glm::cross(frame.normal, to));
 		EXPECT_NEAR(glm::dot(axis, frame.up), glm::dot(axis, turned.up), 1e-9);
 		EXPECT_NEAR(glm::dot(axis, frame.xAxis()), glm::dot(axis, turned.xAxis()), 1e-9);

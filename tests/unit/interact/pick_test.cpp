@@ -170,7 +170,7 @@ TEST(Pick, HandlesAreFoundWhereTheyAreDrawn)
 			const auto picked = interact::pickHandle(shapes, scene.view, *pixel);
 			if (!shape.pickable)
 				continue;
-			// Of all only what goes before may be picked in its place.
+			// Only a handle with precedence may be picked in its place.
 			ASSERT_TRUE(picked);
 			EXPECT_LE(rankOf(picked->kind), rankOf(shape.handle.kind));
 			found += *picked == shape.handle;
@@ -198,7 +198,7 @@ TEST(Pick, ArrowsGoBeforeRingsBeforeEdges)
 	EXPECT_EQ(kindAt(198.5), HandleKind::turn);
 	EXPECT_EQ(kindAt(194.5), HandleKind::edge);
 	EXPECT_EQ(kindAt(193.5), std::nullopt);
-	// Of one rank the nearest.
+	// Among handles of one rank, the nearest is picked.
 	shapes.push_back(segment(HandleKind::corner, 200.5));
 	EXPECT_EQ(kindAt(201.0), HandleKind::corner);
 	EXPECT_EQ(kindAt(204.0), HandleKind::move);
@@ -224,7 +224,7 @@ TEST(Pick, SheetsAreHitWhereTheyAreSeen)
 				EXPECT_FALSE(sheet.wishes.hidden);
 				EXPECT_NEAR(glm::dot(hit.point - sheet.origin, sheet.normal), 0.0, 1e-7);
 				EXPECT_LT(glm::length(*interact::pixelOf(scene.view, hit.point) - pixel), 1e-2);
-				// Where the content is drawn is where it was hit.
+				// The content is drawn at the place where it was hit.
 				const Vec3 shown = probe::displayTransform(sheet).point(hit.content);
 				EXPECT_LT(glm::length(shown - hit.point), 1e-7);
 				const probe::Sheet content = probe::content(sheet);

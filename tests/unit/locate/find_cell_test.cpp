@@ -87,7 +87,7 @@ TEST(FindCell, FindsTheCellOfAnyPointFromAnyCell)
 	}
 }
 
-// Where faces are warped, a point near one may be given to the cell across it, but no further.
+// A point near a warped face may be assigned to the cell across it, but to no other.
 TEST(FindCell, ComesToTheCellOrItsNeighborInWarpedGrids)
 {
 	for (const grid::Block& block : allGrids())

@@ -152,7 +152,7 @@ TEST(PlaceFinder, AFlatBoundaryIsSharp)
 	EXPECT_FALSE(finder.find(Vec3(std::numeric_limits<double>::quiet_NaN())).found());
 }
 
-// What is missing within the bounds is outside.
+// Missing cells within the bounds count as outside.
 TEST(PlaceFinder, HiddenCellsAreOutside)
 {
 	const grid::BlockSet set = setOf({gridNamed("two_pieces")});

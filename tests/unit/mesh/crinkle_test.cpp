@@ -172,7 +172,7 @@ TEST(Crinkle, EnclosesTheCells)
 	}
 }
 
-// Of a large face only some of the small cells before it may be shown: it stays, so that no hole is left.
+// If only some of the small cells before a large face are shown, the face stays, so that there is no hole.
 TEST(Crinkle, HasNoHoleAtFacesWithSeveralNeighbors)
 {
 	const grid::Block& block = gridNamed("two_to_one");

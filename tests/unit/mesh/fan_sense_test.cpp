@@ -15,9 +15,9 @@ namespace vp::test
 namespace
 {
 
-constexpr double kSpan = 4.0; // of the box with all positions, along each axis
+constexpr double kSpan = 4.0; // side of the box that holds all positions
 
-// Of a polygon with its first vertex repeated up to kCorners: 1 or -1 for its sense, 0 if it is not clear.
+// Returns 1 or -1 for the sense of a polygon, or 0 if it is not clear. The first vertex is repeated up to kCorners.
 template <int kCorners>
 int senseOf(const Vec3& normal, const std::vector<Vec3>& positions)
 {
@@ -34,7 +34,7 @@ int senseOf(const Vec3& normal, const std::vector<Vec3>& positions)
 	return checked > 0.0 ? 1 : checked < 0.0 ? -1 : 0;
 }
 
-// The same by the general way.
+// Returns the same by the general method.
 int senseByTurning(const Vec3& normal, const std::vector<Vec3>& positions)
 {
 	std::vector<std::uint32_t> polygon(positions.size());

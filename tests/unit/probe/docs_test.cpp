@@ -1,4 +1,4 @@
-// What docs/ says about probes and paths is what is read.
+// Probes and paths in docs/ can be read as the text says.
 
 #include "probe/path_file.h"
 #include "probe/probe_file.h"

@@ -37,7 +37,7 @@ std::vector<Frame> film(std::vector<Key> keys, int frames, bool there_and_back =
 // By how much a frame's nine numbers change per unit of time, on one side of it.
 std::array<Vec3, 3> velocity(const std::vector<Key>& keys, double period, double time, double step)
 {
-	// Of second order, one-sided: (-3 f(0) + 4 f(h) - f(2h)) / 2h.
+	// One-sided difference of second order: (-3 f(0) + 4 f(h) - f(2h)) / 2h.
 	const Frame a = splinePose(keys, period, time);
 	const Frame b = splinePose(keys, period, time + step);
 	const Frame c = splinePose(keys, period, time + 2.0 * step);
@@ -112,7 +112,7 @@ TEST(Keyframes, TwoKeysMoveStraightAndTurnEvenly)
 	}
 }
 
-// What rests is told from what moves by comparing frames.
+// Users find out by comparing frames whether a probe rests, so a rest must be exact.
 TEST(Keyframes, ARestIsExact)
 {
 	std::mt19937 random(52);
@@ -122,7 +122,7 @@ TEST(Keyframes, ARestIsExact)
 		const Frame other = randomFrame(random);
 		for (const Frame& frame : film({{0.0, rest}, {5.0, rest}}, 9))
 			EXPECT_EQ(frame, rest);
-		// Of a longer path the stretch whose both ends have no velocity.
+		// A stretch of a longer path. Both of its ends have no velocity.
 		const std::vector<Key> keys{{0.0, rest}, {1.0, rest}, {2.0, rest}, {3.0, other}};
 		EXPECT_EQ(splinePose(keys, 0.0, 0.3), rest);
 		EXPECT_NE(splinePose(keys, 0.0, 1.7), rest);

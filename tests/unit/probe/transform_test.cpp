@@ -83,7 +83,7 @@ TEST(Frame, MapsItsAxesToXYZ)
 	}
 }
 
-// What is written to a file and read again must not drift.
+// A frame that is written to a file and read again must not drift.
 TEST(Frame, MakingItAgainChangesNoBit)
 {
 	std::mt19937 random(6);

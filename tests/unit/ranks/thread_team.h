@@ -14,7 +14,7 @@
 namespace vp::ranks
 {
 
-// What threads of one process send each other.
+// Messages that threads of one process send each other.
 class Mailboxes
 {
 public:

@@ -1,4 +1,4 @@
-// What files hold beside the ordinary: turned images, hidden and unknown cells, polyhedra, times, several inputs.
+// Tests unusual contents of files: turned images, hidden and unknown cells, polyhedra, times, several inputs.
 #include "base/messages.h"
 #include "plot3d_samples.h"
 #include "read/read.h"

@@ -10,7 +10,7 @@ using namespace vp;
 namespace
 {
 
-// What a sample's file holds.
+// Returns the bytes of a sample's file.
 std::string bytesOfSample(const std::string& name)
 {
 	const auto& samples = sampleFiles();

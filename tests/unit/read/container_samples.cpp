@@ -101,7 +101,7 @@ void writeVtkHdf(const std::string& path)
 	file.attribute("/VTKHDF/Steps", "NSteps", std::vector<double>{2.0});
 }
 
-// What stands for the values of a plane of constant z: 0 to 65535 from the least to the greatest of them.
+// Returns the stored words of each plane of constant z: 0 to 65535 from its least to its greatest value.
 std::vector<std::uint16_t> mincWords(std::vector<double>& least, std::vector<double>& greatest)
 {
 	std::vector<std::uint16_t> words;

@@ -64,8 +64,8 @@ void insertCell(vtkUnstructuredGrid* grid, const CurvedKind& kind)
 	grid->InsertNextCell(kind.type, kind.points, ids.data());
 }
 
-// Where the points of a cell lie in a cube, half a cube, a pyramid on the unit square with its top at (1/2, 1/2, 1), or
-// a corner of the cube.
+// Returns the places of a cell's points in a cube, half a cube, a pyramid on the unit square with its top at (1/2, 1/2,
+// 1), or a corner of the cube.
 std::vector<Vec3> referencePoints(const CurvedKind& kind)
 {
 	vtkNew<vtkUnstructuredGrid> grid;

@@ -115,7 +115,7 @@ void writeFluentHdf5(const std::string& path)
 	setFluentRange(file, cells + "/SV_T/1", 1, kSampleCellCount);
 }
 
-// Of the text of another sample.
+// Packs the text of another sample.
 void writeFluentGzip(const std::string& path)
 {
 	const TemporaryFolder folder;

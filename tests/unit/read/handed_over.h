@@ -6,12 +6,12 @@
 
 #include <string>
 
-// What the reader's program hands over of a file: its manifest, with what each array holds in place of where it is. Its
-// error, where it has one: {"error": message, "kind": ErrorKind as a number}.
+// Returns what the reader's program hands over of a file: its manifest, with the contents of each array in place of its
+// position. If the program fails, returns its error: {"error": message, "kind": ErrorKind as a number}.
 nlohmann::json handedOver(const std::string& file, const vp::read::ReadOptions& options = {});
 
-// The same by VTK's readers, whatever the file is.
+// Returns the same by VTK's readers, even if the file needs none.
 nlohmann::json handedOverByVtk(const std::string& file, const vp::read::ReadOptions& options = {});
 
-// Whether the reader reads the file without VTK.
+// Returns true if the program reads the file without VTK.
 bool isReadQuickly(const std::string& file);

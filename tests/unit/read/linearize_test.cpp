@@ -301,7 +301,7 @@ TEST(Linearize, DamagedAndEndlessCellsAreRefused)
 	EXPECT_NE(refusalOf(quadratic, 19, 0, 0).find("lists 19 points"), std::string::npos);
 	EXPECT_NE(refusalOf(quadratic, 20, 1000, 0).find("lists point"), std::string::npos);
 	EXPECT_NE(refusalOf(lagrange, 26, 0, 0).find("lists 26 points"), std::string::npos);
-	EXPECT_EQ(refusalOf(lagrange, 8, 0, 0), ""); // of degree 1, among others of degree 2
+	EXPECT_EQ(refusalOf(lagrange, 8, 0, 0), ""); // a cell of degree 1 among others of degree 2
 
 	CurvedKind large{"", VTK_LAGRANGE_HEXAHEDRON, 9 * 9 * 9};
 	EXPECT_NE(refusalOf(large, large.points, 0, 6).find("give a lower level"), std::string::npos);

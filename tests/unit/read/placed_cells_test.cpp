@@ -154,7 +154,7 @@ TEST(PlacedCells, CurvedCellsGoWhole)
 	const TemporaryFolder folder;
 	const auto grid = curvedMesh({"", VTK_QUADRATIC_HEXAHEDRON, 20});
 	std::array<double, 3> place;
-	vtkIdType middle = 0; // of an edge of the box, which one cell has
+	vtkIdType middle = 0; // middle of an edge of the box; only one cell has it
 	for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
 		if (grid->GetPoint(p, place.data()); place[0] == 0.0 && place[1] == 0.0 && place[2] == kCurvedBox.z / 4.0)
 			middle = p;

@@ -191,7 +191,7 @@ TEST_F(QuickPieces, OfDamagedListsAreRefusedAsByVtk)
 		expectSame([end](ListedPiece& piece) { piece.ends[0] = end; });
 	expectSame([](ListedPiece& piece) { piece.ends[0] = INT64_MAX; });
 	expectSame([](ListedPiece& piece) { piece.ends[0] = INT64_MIN; });
-	// What is only too large for the points is for the parent to refuse.
+	// Ids that are only too large for the points are refused by the parent.
 	ListedPiece far = kOneWedge;
 	far.ids[3] = 6;
 	writeContents(folder_ / "far.vtu", Written({far}).text());

@@ -137,7 +137,7 @@ vtkSmartPointer<vtkDataSet> dataOf(const std::string& kind)
 
 struct Way
 {
-	int mode;     // of vtkXMLWriter
+	int mode;     // data mode of vtkXMLWriter
 	bool encoded; // appended data in base64
 	int compressor;
 	int header;
@@ -225,7 +225,7 @@ TEST_P(QuickXml, HandsOverWhatIsWished)
 	}
 }
 
-// What was handed over, but for the numbers of its arrays.
+// Returns what was handed over without the numbers of its arrays.
 json withoutContents(json handed)
 {
 	if (handed.is_object())

@@ -17,7 +17,7 @@ struct ExpectedArray
 	const char* name;
 	grid::Association association;
 	int components;
-	double low; // of the length, for several components
+	double low; // least value; for several components, the least length
 	double high;
 };
 

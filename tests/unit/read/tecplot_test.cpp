@@ -13,7 +13,7 @@ using Numbers = std::vector<double>;
 using Names = std::vector<std::string>;
 
 const std::string kFour = "VARIABLES = \"X\", \"Y\" \"Z\"\n \"V\"\n";
-const std::string kPlaces = "0 1 1 0 0 1 1 0\n0 0 1 1 0 0 1 1\n0 0 0 0 1 1 1 1\n"; // of a cube
+const std::string kPlaces = "0 1 1 0 0 1 1 0\n0 0 1 1 0 0 1 1\n0 0 0 0 1 1 1 1\n"; // corners of a cube
 
 const Numbers& values(const TecplotFile& file, std::size_t zone, std::size_t variable)
 {
@@ -124,7 +124,7 @@ TEST(Tecplot, TimesAndStrands)
 	    parseTecplot(kFour + "ZONE I=1 SOLUTIONTIME=1.5D0 STRANDID=2\n1 2 3 4\nZONE I=1 SOLUTIONTIME=2 STRANDID=0\n"
 	                         "1 2 3 4\nZONE I=1 SOLUTIONTIME=3\n1 2 3 4\nZONE I=1 SOLUTIONTIME=nan\n1 2 3 4\n");
 	EXPECT_EQ(file.zones[0].time, 1.5);
-	EXPECT_FALSE(file.zones[1].time); // of no strand: shown at all times
+	EXPECT_FALSE(file.zones[1].time); // without a strand: shown at all times
 	EXPECT_EQ(file.zones[2].time, 3.0);
 	EXPECT_FALSE(file.zones[3].time);
 }

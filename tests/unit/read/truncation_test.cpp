@@ -40,7 +40,7 @@ const grid::Field* fieldLike(const grid::Block& block, const grid::Field& field)
 	return nullptr;
 }
 
-// What the short file gave is part of what the whole one gives. Text that ends inside its last number cannot be told
+// The result of the short file is part of that of the whole one. Text that ends inside its last number cannot be told
 // from whole text: there, the last number may differ.
 void expectPartOf(const grid::BlockSet& whole, const grid::BlockSet& part, bool is_text)
 {

@@ -13,7 +13,7 @@ enum class ParentShape
 	hexahedron
 };
 
-// Where a cell lies: the origin and the three edges of its reference shape.
+// The place of a cell: the origin and the three edges of its reference shape.
 using CellFrame = std::array<vp::Vec3, 4>;
 
 // The cells of a unit cube: a hexahedron, 2 wedges, or 6 pyramids or tetrahedra. They part its sides alike in every

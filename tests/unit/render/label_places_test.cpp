@@ -40,7 +40,7 @@ double lengthOf(const std::vector<glm::dvec2>& points)
 	return length;
 }
 
-// Of the corners of labels as they stand.
+// Returns true if two labels do not overlap, by the corners of their places.
 bool apart(const LabelPlace& a, const LabelPlace& b)
 {
 	const double reach = glm::length(glm::dvec2(kWidth, kHeight));

@@ -165,7 +165,7 @@ TEST(Layout, SheetsOfOtherLooksHaveLegendsOfTheirOwn)
 			for (const LegendLayout& b : layout.legends)
 				EXPECT_TRUE(&a == &b || !a.column.overlaps(b.column)) << size.width << "x" << size.height;
 		}
-		// Where every sheet has its own, the scene's is not shown.
+		// If every sheet has its own legend, the scene's is not shown.
 		scene.sheets.resize(2);
 		scene.sheets[0].colors = makeColorMap("grey").value();
 		EXPECT_EQ(legendContents(scene).size(), 2u);

@@ -141,7 +141,7 @@ TEST(HotSpots, AreTheSameForAnyNumberOfThreads)
 	}
 }
 
-// What the cut before found seeds the next one, where it has moved by less than a cell.
+// The cells of the previous cut seed the next one if it has moved by less than a cell.
 TEST(HotSpots, OfTheCutBefore)
 {
 	const grid::BlockSet set = std::move(*grid::makeDemo("shell", 64));

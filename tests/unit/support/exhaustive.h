@@ -17,7 +17,7 @@ namespace vp::test
 struct TestPlane
 {
 	Vec3 origin;
-	Vec3 normal; // of any length
+	Vec3 normal; // may have any length
 };
 
 // Signed distances with a canonical unit normal: the tie rule says that the first nonzero component is positive.
@@ -89,7 +89,7 @@ inline std::vector<CellId> sorted(std::vector<CellId> cells)
 	return cells;
 }
 
-// What lies across the cut faces of a cell.
+// Returns the cells across the cut faces of a cell.
 inline std::vector<CellId> cutNeighbors(const grid::Block& block, CellId cell, const Side& side)
 {
 	std::vector<CellId> found;

@@ -38,7 +38,8 @@ inline std::vector<PlacedPolygon> placedPolygons(const mesh::SheetMesh& mesh)
 	return polygons;
 }
 
-// The same polygons of the same cells at the same places, to the last bit, with as many vertices; in any order.
+// Expects the same polygons of the same cells at the same places, to the last bit, in any order, and equally many
+// vertices.
 inline void expectSameMesh(const mesh::SheetMesh& mesh, const mesh::SheetMesh& expected)
 {
 	EXPECT_EQ(mesh.positions.size(), expected.positions.size());

@@ -231,7 +231,7 @@ Block mixedPolyhedra()
 			           maker.cell(kHexahedron, c);
 	           });
 	maker.cell(kTriangle, {ids[0], ids[2], ids[1]});
-	maker.point({50.0, 50.0, 50.0}); // of no cell
+	maker.point({50.0, 50.0, 50.0}); // no cell uses it
 	return maker.block("mixed_polyhedra");
 }
 

@@ -27,7 +27,7 @@ struct Event
 struct Rows
 {
 	std::map<int, std::string> names;
-	std::map<int, std::vector<Event>> events; // of each row in the order of their beginnings, outer ones first
+	std::map<int, std::vector<Event>> events; // events of each row, by their beginnings, outer ones first
 
 	const std::vector<Event>& named(const std::string& name) const
 	{
@@ -141,7 +141,7 @@ inline std::vector<Event> partsOf(const std::vector<Event>& row, const Event& ou
 	return parts;
 }
 
-// Whether what lies in an event, "other" included, adds up to it within a hundredth and ten microseconds.
+// Expects that the events within an event, with "other", add up to it within a hundredth and ten microseconds.
 inline void expectWhole(const std::vector<Event>& row, const Event& outer)
 {
 	std::int64_t sum = 0;

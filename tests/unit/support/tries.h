@@ -31,7 +31,7 @@ inline int tries(int full)
 	return (full + tryEvery() - 1) / tryEvery();
 }
 
-/// Of cases that are counted in a test: whether the next one is tried.
+/// Counts the cases of a test, and says whether the next one is tried.
 class Taken
 {
 public:

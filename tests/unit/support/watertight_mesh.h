@@ -41,7 +41,7 @@ inline CellEdges edgesOf(const grid::Block& block, CellId cell)
 	return result;
 }
 
-// Whether every face has one neighbor, of which it is a whole face.
+// Returns true if every face has one neighbor, and is a whole face of it.
 inline bool conforms(const grid::Block& block)
 {
 	return block.name != "three_on_a_face" && block.name != "two_to_one";

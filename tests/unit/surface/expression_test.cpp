@@ -27,7 +27,7 @@ Expression parsed(const std::string& text)
 	return *made;
 }
 
-// Of the text at (0.7, -1.3, 2.1).
+// Returns the value of the text at (0.7, -1.3, 2.1).
 double valueOf(const std::string& text)
 {
 	return parsed(text).value({0.7, -1.3, 2.1});
@@ -191,7 +191,7 @@ TEST(Expression, GradientsAreThoseOfDifferences)
 				from[axis] -= step;
 				return (made->value(to) - made->value(from)) / (2.0 * step);
 			};
-			// Where two steps disagree there is a kink, a pole or too much curvature.
+			// If two step sizes disagree, there is a kink, a pole or too much curvature.
 			const double fine = difference(1e-5);
 			const double coarse = difference(2e-5);
 			if (!(std::abs(fine - coarse) < 1e-6 * (1.0 + std::abs(fine))) || std::abs(made->value(p)) > 1e3)

@@ -46,7 +46,7 @@ inline vectors::Traces traced(const grid::BlockSet& blocks, std::span<const vect
 	return std::move(vectors::trace(blocks, choice, launches, options).value());
 }
 
-// Where the vector (-y, x, 0.3) of the demos takes a place.
+// Returns the place to which the demos' vector (-y, x, 0.3) takes a place.
 inline Vec3 alongHelix(const Vec3& from, double time)
 {
 	return {from.x * std::cos(time) - from.y * std::sin(time), from.x * std::sin(time) + from.y * std::cos(time),

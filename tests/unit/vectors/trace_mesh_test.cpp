@@ -52,7 +52,7 @@ struct Helix
 	}
 };
 
-// Whether every edge is run once either way.
+// Returns true if the polygons use every edge once in each direction.
 bool isClosed(const mesh::SheetMesh& mesh)
 {
 	std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;

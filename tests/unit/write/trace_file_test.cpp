@@ -20,7 +20,7 @@ class TraceFile : public testing::Test
 protected:
 	~TraceFile() override { std::filesystem::remove(path_); }
 
-	// What the file says, which is held against the format.
+	// Returns the contents of the file, which are checked against the format.
 	trace::Rows written(std::vector<std::vector<Timeline::Section>> batches)
 	{
 		Result<write::TraceFile> file = write::TraceFile::create(path_);
@@ -61,9 +61,9 @@ TEST_F(TraceFile, PartsAndRestAddUp)
 		EXPECT_EQ(events[i].name, names[i]) << i;
 	EXPECT_EQ(events[0].begin, 500'000);
 	EXPECT_EQ(events[0].end, 5'000'000);
-	EXPECT_EQ(events[6].begin, 3'500'000); // of traverse
+	EXPECT_EQ(events[6].begin, 3'500'000); // begin of traverse
 	EXPECT_EQ(events[6].end, 4'000'000);
-	EXPECT_EQ(events[7].begin, 4'000'000); // of cut
+	EXPECT_EQ(events[7].begin, 4'000'000); // begin of cut
 	EXPECT_EQ(events[7].end, 5'000'000);
 	for (const std::size_t whole : {0, 3})
 	{
