@@ -195,7 +195,7 @@ bool XmlElement::has(std::string_view wanted) const
 std::optional<XmlFile> parseXml(std::string_view text, DocumentType type)
 {
 	XmlFile file;
-	// What is appended need not be XML. VTK's parser also stops at the first such tag.
+	// Appended data need not be XML. VTK's parser also stops at the first such tag.
 	const std::size_t appended = text.find("<AppendedData");
 	std::string_view elements = text;
 	if (appended != text.npos)

@@ -6,7 +6,7 @@
 namespace vp::test
 {
 
-/// Of many cases alike a test takes every one, but every seventh in a build with sanitizers: there each takes some ten
+/// A test takes each of many similar cases, but every seventh in a build with sanitizers: there each takes some ten
 /// times as long, and the first few already enter the code that is watched. VPROBE_TRY_EVERY asks for every so many,
 /// where the same test runs again on a second device. With VPROBE_LONG set: every one.
 inline int tryEvery()

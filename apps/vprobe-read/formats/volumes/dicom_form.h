@@ -29,7 +29,7 @@ struct DicomPixelForm
 	std::pair<double, double> padding{0.0, -1.0};
 
 	std::size_t valuesOfFrame() const { return std::size_t(columns) * rows * samples; }
-	// What the values can be, once the table has been applied, and before they are rescaled; not of real ones.
+	// Returns the range of possible values, after the table and before rescaling. Not for real values.
 	std::pair<double, double> range() const;
 };
 

@@ -1,4 +1,5 @@
-// What frames of DICOM say of themselves: single pictures at the top of their files, enhanced ones in functional groups
+// Reads the facts about DICOM frames: of single pictures at the top of their files, of enhanced ones in functional
+// groups
 // (PS3.3 C.7.6.16), which are the frame's own or shared by all, and others by offsets.
 #include "dicom_frames.h"
 
