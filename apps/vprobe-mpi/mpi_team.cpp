@@ -18,7 +18,7 @@ namespace
 
 constexpr int kFailed = 1; // the tag of a message without bytes; all others have 0
 
-constexpr std::size_t kMostAtOnce = std::size_t(1) << 30; // MPI counts bytes in an int
+constexpr std::size_t kMaxAtOnce = std::size_t(1) << 30; // MPI counts bytes in an int
 
 // MPI's own wait keeps a whole core busy. Ranks share cores with the threads of other ranks that still work.
 void waitFor(std::vector<MPI_Request>& requests)
@@ -38,8 +38,8 @@ void waitFor(std::vector<MPI_Request>& requests)
 template <class Visit>
 void forMessages(std::size_t size, const Visit& visit)
 {
-	for (std::size_t at = 0; at < size; at += kMostAtOnce)
-		visit(at, static_cast<int>(std::min(kMostAtOnce, size - at)));
+	for (std::size_t at = 0; at < size; at += kMaxAtOnce)
+		visit(at, static_cast<int>(std::min(kMaxAtOnce, size - at)));
 }
 
 } // namespace

@@ -11,7 +11,7 @@ namespace
 
 constexpr int kDigitBits = 32;
 constexpr std::int64_t kDigit = std::int64_t(1) << kDigitBits;
-constexpr int kLeastExponent = -1074; // exponent of the lowest bit of the lowest digit
+constexpr int kMinExponent = -1074; // exponent of the lowest bit of the lowest digit
 
 } // namespace
 
@@ -37,7 +37,7 @@ ExactSum& ExactSum::operator+=(double value)
 	digits_[digit] += sign * static_cast<std::int64_t>(low & (kDigit - 1));
 	digits_[digit + 1] += sign * static_cast<std::int64_t>(low >> kDigitBits);
 	digits_[digit + 2] += sign * static_cast<std::int64_t>(high);
-	if (++added_ >= kMostAdded)
+	if (++added_ >= kMaxAdded)
 		carry();
 	return *this;
 }
@@ -49,7 +49,7 @@ ExactSum& ExactSum::operator+=(const ExactSum& other)
 	// Carried digits count as one number.
 	added_ += other.added_ + 1;
 	not_finite_ += other.not_finite_;
-	if (added_ >= kMostAdded)
+	if (added_ >= kMaxAdded)
 		carry();
 	return *this;
 }
@@ -94,7 +94,7 @@ double ExactSum::value() const
 		is_more = is_more || sum.digits_[i] != 0;
 	if (is_more)
 		leading |= 1;
-	const double rounded = std::ldexp(static_cast<double>(leading), kLeastExponent + kDigitBits * lowest);
+	const double rounded = std::ldexp(static_cast<double>(leading), kMinExponent + kDigitBits * lowest);
 	return negative ? -rounded : rounded;
 }
 

@@ -22,7 +22,7 @@ public:
 
 private:
 	static constexpr int kDigits = 68; // digits of 32 bits, from 2^-1074 to past the largest double, with room to carry
-	static constexpr std::int64_t kMostAdded = std::int64_t(1) << 29;
+	static constexpr std::int64_t kMaxAdded = std::int64_t(1) << 29;
 
 	void carry();
 

@@ -9,8 +9,8 @@ namespace vp::mesh
 
 std::vector<std::uint8_t> bridgesOf(std::span<const std::uint32_t> polygon)
 {
-	constexpr std::size_t kLeastCorners = 8; // three outside, three around a hole, and two for the way back
-	if (polygon.size() < kLeastCorners)
+	constexpr std::size_t kMinCorners = 8; // three outside, three around a hole, and two for the way back
+	if (polygon.size() < kMinCorners)
 		return {};
 	std::vector<std::uint32_t> corners(polygon.begin(), polygon.end());
 	std::ranges::sort(corners);

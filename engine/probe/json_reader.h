@@ -22,7 +22,7 @@ struct SchemaError
 	std::string message;
 };
 
-// A value of a document and the pointer to it. Every reading checks; what does not fit throws Unfit.
+// A value of a document and the pointer to it. Every reading checks; what does not fit throws SchemaError.
 class JsonReader
 {
 public:

@@ -29,7 +29,7 @@ namespace
 
 constexpr std::size_t kMaxReasonLength = 300;
 // Memory that the reader's libraries take before they look at a file.
-constexpr std::uint64_t kLeastMemory = std::uint64_t(64) << 20;
+constexpr std::uint64_t kMinMemory = std::uint64_t(64) << 20;
 
 std::string lastLine(std::string_view text)
 {
@@ -103,7 +103,7 @@ Error explain(const std::string& file, const Reader& reader, const InputLimits& 
 	const std::string no_memory = fmt::format("there was not enough memory{}", where);
 	const auto speaksOfMemory = [&](std::string_view words) { return reader.errors.find(words) != std::string::npos; };
 	// Too little even for its libraries, which then fail in ways of their own.
-	const bool cannot_start = setup.memory.rlim_cur < kLeastMemory && told.empty();
+	const bool cannot_start = setup.memory.rlim_cur < kMinMemory && told.empty();
 	if (WIFSIGNALED(reader.status))
 	{
 		const int signal = WTERMSIG(reader.status);

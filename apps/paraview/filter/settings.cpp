@@ -67,8 +67,8 @@ struct Launch
 
 Launch launchOf(const Settings& settings, const Whole& whole)
 {
-	constexpr int kMostPoints = 1000;
-	const int wanted = std::clamp(settings.vector_lattice, 1, kMostPoints);
+	constexpr int kMaxPoints = 1000;
+	const int wanted = std::clamp(settings.vector_lattice, 1, kMaxPoints);
 	if (settings.has_window)
 		return {std::max(settings.window[0], settings.window[1]) / wanted, wanted, settings.window};
 	double longest = 0.0;
@@ -76,7 +76,7 @@ Launch launchOf(const Settings& settings, const Whole& whole)
 		longest = std::max(longest, whole.bounds[2 * a + 1] - whole.bounds[2 * a]);
 	// The window is as large as nothing reaches out of it, and a whole number of spacings.
 	const double spacing = longest / wanted, side = 2.0 * farthest(settings, whole);
-	const int points = static_cast<int>(std::min(std::ceil(side / spacing), double(kMostPoints)));
+	const int points = static_cast<int>(std::min(std::ceil(side / spacing), double(kMaxPoints)));
 	return {spacing, points, {spacing * points, spacing * points}};
 }
 

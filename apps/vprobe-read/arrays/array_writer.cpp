@@ -17,7 +17,7 @@ using vp::grid::NumberType;
 namespace
 {
 // Limit for the length of a file.
-constexpr std::size_t kMostBytes = std::size_t(1) << 62;
+constexpr std::size_t kMaxBytes = std::size_t(1) << 62;
 } // namespace
 
 void ArrayWriter::begin()
@@ -36,7 +36,7 @@ void ArrayWriter::append(const void* data, std::size_t bytes)
 std::size_t ArrayWriter::reserve(std::size_t bytes)
 {
 	begin();
-	if (bytes > kMostBytes - position_)
+	if (bytes > kMaxBytes - position_)
 		throw std::bad_alloc();
 	position_ += bytes;
 	return start_;

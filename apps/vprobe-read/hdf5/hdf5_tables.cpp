@@ -12,8 +12,8 @@ namespace
 {
 
 // Limits for texts and rows: there are few of them, and none is long.
-constexpr hssize_t kMostRows = 1 << 16;
-constexpr std::size_t kMostBytesOfRow = 1 << 16;
+constexpr hssize_t kMaxRows = 1 << 16;
+constexpr std::size_t kMaxBytesOfRow = 1 << 16;
 
 std::string withoutBlanks(const char* text, std::size_t bytes)
 {
@@ -38,7 +38,7 @@ struct Hdf5Rows
 			throw damaged(fmt::format("{} cannot be opened", path));
 		const Hdf5Handle space(set < 0 ? -1 : H5Dget_space(set), H5Sclose);
 		const hssize_t points = space < 0 ? 0 : H5Sget_simple_extent_npoints(space);
-		if (points < 0 || points > kMostRows || (type >= 0 && H5Tget_size(type) > kMostBytesOfRow))
+		if (points < 0 || points > kMaxRows || (type >= 0 && H5Tget_size(type) > kMaxBytesOfRow))
 			throw damaged(fmt::format("{} is larger than it can be", path));
 		count = type < 0 ? 0 : static_cast<std::size_t>(points);
 	}

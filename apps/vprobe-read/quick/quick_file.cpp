@@ -13,7 +13,7 @@ using vp::grid::NumberType;
 namespace
 {
 
-constexpr std::uint32_t kMostComponents = 1 << 16;
+constexpr std::uint32_t kMaxComponents = 1 << 16;
 
 } // namespace
 
@@ -128,7 +128,7 @@ ArrayKind::ArrayKind(const XmlElement& array)
 	type = *found;
 	components =
 	    array.has("NumberOfComponents") ? numbersIn<std::uint32_t, 1>(array.attribute("NumberOfComponents"))[0] : 1;
-	if (components < 1 || components > kMostComponents)
+	if (components < 1 || components > kMaxComponents)
 		throw NotQuick();
 }
 

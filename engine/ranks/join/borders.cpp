@@ -6,7 +6,7 @@
 #include "ranks/join/border_faces.h"
 #include "ranks/join/hanging_borders.h"
 #include "ranks/join/rim_vertices.h"
-#include "ranks/together.h"
+#include "ranks/joined_across.h"
 
 #include <algorithm>
 #include <array>
@@ -241,7 +241,7 @@ Borders join(Team& team, const std::vector<Box>& boxes, const grid::BlockSet& bl
 	joinNear(team, boxes, rim, links, borders);
 	borders.vertices_elsewhere = all - rim.size();
 	borders.hangs = hangsBetweenRanks(team, boxes, mesh, rim);
-	Together together = joinOverRanks(team, pieces.marks, std::move(links));
+	JoinedAcross together = joinOverRanks(team, pieces.marks, std::move(links));
 	borders.components = together.count;
 	pieces.marks = std::move(together.marks);
 	return borders;

@@ -1,7 +1,7 @@
 #include "ranks/search/contour_faces.h"
 
 #include "ranks/join/unmatched_faces.h"
-#include "ranks/together.h"
+#include "ranks/joined_across.h"
 
 #include <optional>
 #include <utility>

@@ -94,12 +94,12 @@ std::vector<PlacedSheet> placedSheets(const grid::BlockSet& blocks, const cut::C
 }
 
 /// The faces through which a sheet may lead into the parts of other ranks, and the boundary that the whole has.
-class Ways
+class ExitFaces
 {
 public:
 	/// whole: per block, the block that one process would have in its place.
-	Ways(Team& team, const std::vector<Box>& boxes, const grid::BlockSet& blocks, std::span<const std::uint32_t> whole,
-	     const PlacedSheet& placed)
+	ExitFaces(Team& team, const std::vector<Box>& boxes, const grid::BlockSet& blocks,
+	          std::span<const std::uint32_t> whole, const PlacedSheet& placed)
 	    : blocks_(blocks), whole_(whole), others_(boxesOfOthers(team, boxes)), boundary_cells_(blocks.blocks.size())
 	{
 		std::optional<seed::SheetWindow> window;
@@ -207,7 +207,7 @@ private:
 
 /// Seeds of all sheets as one process has them, which has no boundary between the parts of ranks.
 Result<Seeds> seedsOfWhole(Team& team, cut::Cutter& cutter, const cut::CutRequest& request,
-                           std::span<const PlacedSheet> sheets, std::span<const Ways> ways)
+                           std::span<const PlacedSheet> sheets, std::span<const ExitFaces> ways)
 {
 	Result<Seeds> seeds = cutter.seedsOf(request);
 	if (!seeds)
@@ -254,7 +254,7 @@ Result<Seeds> seedsOfWhole(Team& team, cut::Cutter& cutter, const cut::CutReques
 class Fronts
 {
 public:
-	Fronts(Team& team, const std::vector<Box>& boxes, std::span<const Ways> ways)
+	Fronts(Team& team, const std::vector<Box>& boxes, std::span<const ExitFaces> ways)
 	    : near_(team, boxes, 0.0), ways_(ways), told_(ways.size()), taken_(ways.size())
 	{
 	}
@@ -295,7 +295,7 @@ public:
 
 private:
 	Neighborhood near_;
-	std::span<const Ways> ways_;                                      // per sheet
+	std::span<const ExitFaces> ways_;                                 // per sheet
 	std::vector<std::vector<std::pair<std::uint32_t, CellId>>> told_; // cells with a way out; ascending
 	std::vector<std::set<std::pair<std::uint32_t, CellId>>> taken_;   // as seeds
 };
@@ -324,10 +324,10 @@ Result<cut::Cut> cutFromRankToRank(Team& team, std::span<const std::uint32_t> wh
 	const grid::BlockSet& blocks = cutter.blocks();
 	const std::vector<Box> boxes = boxesOf(team, blocks);
 	const std::vector<PlacedSheet> sheets = placedSheets(blocks, request);
-	std::vector<Ways> ways;
+	std::vector<ExitFaces> ways;
 	for (const PlacedSheet& sheet : sheets)
 		ways.emplace_back(team, boxes, blocks, whole, sheet);
-	if (std::ranges::any_of(ways, &Ways::hang))
+	if (std::ranges::any_of(ways, &ExitFaces::hang))
 		return sizesDiffer();
 	Result<Seeds> seeds = seedsOfWhole(team, cutter, request, sheets, ways);
 	if (!seeds)

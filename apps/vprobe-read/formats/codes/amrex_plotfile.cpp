@@ -14,7 +14,7 @@
 namespace
 {
 
-constexpr std::int64_t kMostAmrexBoxes = 10'000'000;
+constexpr std::int64_t kMaxAmrexBoxes = 10'000'000;
 constexpr std::int64_t kLargestAmrexIndex = 1 << 30;
 
 // All whole numbers of a text, whatever stands between them.
@@ -128,7 +128,7 @@ private:
 	{
 		if (at_.integer() != static_cast<std::int64_t>(level))
 			throw damaged("its levels do not follow each other");
-		const std::int64_t boxes = countOf(at_, kMostAmrexBoxes);
+		const std::int64_t boxes = countOf(at_, kMaxAmrexBoxes);
 		at_.line();    // the time
 		at_.integer(); // the step
 		for (std::int64_t box = 0; box < 6 * boxes; ++box)
@@ -154,7 +154,7 @@ std::vector<AmrexBoxData> parseAmrexLevel(std::string_view text)
 	for (int line = 0; line < 4; ++line)
 		at.line();                                              // version, way of writing, components, ghost cells
 	const std::vector<std::int64_t> head = wholesIn(at.line()); // "(4 0"
-	if (head.empty() || head[0] < 0 || head[0] > kMostAmrexBoxes)
+	if (head.empty() || head[0] < 0 || head[0] > kMaxAmrexBoxes)
 		throw damaged("a level does not say how many boxes it has");
 	std::vector<AmrexBoxData> boxes;
 	for (std::int64_t b = 0; b < head[0]; ++b)

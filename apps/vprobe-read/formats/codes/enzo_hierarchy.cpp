@@ -18,7 +18,7 @@ namespace
 {
 
 // Halving so many times is finer than an index of cells can tell.
-constexpr std::size_t kMostEnzoLevels = 30;
+constexpr std::size_t kMaxEnzoLevels = 30;
 
 struct EnzoLine
 {
@@ -159,7 +159,7 @@ AmrLevels enzoLevels(const EnzoHierarchy& hierarchy)
 	std::sort(spacings.rbegin(), spacings.rend());
 	const auto isSame = [](double a, double b) { return std::abs(a - b) < 0.01 * a; };
 	spacings.erase(std::unique(spacings.begin(), spacings.end(), isSame), spacings.end());
-	if (spacings.size() > kMostEnzoLevels)
+	if (spacings.size() > kMaxEnzoLevels)
 		throw damaged(fmt::format("grids of {} levels", spacings.size()));
 
 	AmrLevels levels;

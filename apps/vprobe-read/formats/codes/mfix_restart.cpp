@@ -13,7 +13,7 @@ namespace
 {
 
 // Numbers of conditions that a file may speak of; MFIX itself allows 500 of each kind.
-constexpr std::size_t kMostMfixItems = 100000;
+constexpr std::size_t kMaxMfixItems = 100000;
 
 struct MfixCounts
 {
@@ -54,7 +54,7 @@ private:
 	std::size_t wholeAt(std::string_view record, std::size_t place)
 	{
 		const auto number = MfixRecords::numberAt<std::int32_t>(record, place);
-		if (number < 0 || static_cast<std::size_t>(number) > kMostMfixItems)
+		if (number < 0 || static_cast<std::size_t>(number) > kMaxMfixItems)
 			throw damaged(fmt::format("a count of {}", number));
 		return static_cast<std::size_t>(number);
 	}

@@ -19,7 +19,7 @@ namespace
 {
 
 const std::string kFluentMesh = "/meshes/1";
-constexpr std::int64_t kMostFluentItems = std::numeric_limits<std::int32_t>::max();
+constexpr std::int64_t kMaxFluentItems = std::numeric_limits<std::int32_t>::max();
 
 // Items whose numbers follow each other, from 1: those of an object with the attributes minId and maxId.
 struct FluentRange
@@ -39,7 +39,7 @@ FluentRange fluentRange(const Hdf5File& file, const std::string& object, std::in
 std::int64_t fluentCount(const Hdf5File& file, const char* attribute)
 {
 	const double count = file.realOr(kFluentMesh, attribute, -1.0);
-	if (!(count >= 1.0 && count <= static_cast<double>(kMostFluentItems)))
+	if (!(count >= 1.0 && count <= static_cast<double>(kMaxFluentItems)))
 		throw damaged(fmt::format("it has {} {}", count, attribute));
 	return static_cast<std::int64_t>(count);
 }

@@ -27,9 +27,9 @@ namespace
 // By the volume that they are in.
 using SlacTetrahedra = std::map<std::int64_t, std::vector<std::array<vtkIdType, 4>>>;
 
-constexpr std::size_t kMostVolumes = 4096;
+constexpr std::size_t kMaxVolumes = 4096;
 // What the files call a frequency is a time in seconds where it is less than any frequency that they are about.
-constexpr double kLeastFrequency = 100.0;
+constexpr double kMinFrequency = 100.0;
 
 double volumeOf(const std::vector<double>& places, const std::array<vtkIdType, 4>& ids)
 {
@@ -69,7 +69,7 @@ void addSlacTetrahedra(const NetcdfFile& file, const char* name, std::size_t row
 		if (!(std::abs(numbers[at]) < 1e9))
 			throw damaged(fmt::format("{} has the volume {}", name, numbers[at]));
 		all[static_cast<std::int64_t>(numbers[at])].push_back(ids);
-		if (all.size() > kMostVolumes)
+		if (all.size() > kMaxVolumes)
 			throw damaged("it has more volumes than it can");
 	}
 }
@@ -180,13 +180,13 @@ void readSlac(const Request& request, ManifestWriter& manifest)
 
 	const std::string path = request.solution.empty() ? slacModesBeside(request.file) : request.solution;
 	std::vector<vtkSmartPointer<vtkDoubleArray>> modes;
-	double time = kLeastFrequency;
+	double time = kMinFrequency;
 	if (path.empty())
 		manifest.warn("no file of modes (.mod), or more than one, lies beside this mesh; --solution names one");
 	else
 		modes = slacModes(path, places.size() / 3, time);
 	std::vector<double> times = inOrder({time});
-	if (!(time < kLeastFrequency))
+	if (!(time < kMinFrequency))
 		times.clear();
 	chooseIfAny(times, request);
 	manifest.offerTimes(std::move(times));

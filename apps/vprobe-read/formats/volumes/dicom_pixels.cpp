@@ -216,7 +216,7 @@ std::string DicomPixels::packedBytes(std::size_t index) const
 // What GDCM makes up without a word where it is missing. Without the mark of the end it may search in JPEG forever.
 bool DicomPixels::isWhole(std::size_t index) const
 {
-	constexpr std::size_t kMostBehind = 64; // bytes that some writers add
+	constexpr std::size_t kMaxBehind = 64; // bytes that some writers add
 	const gdcm::TransferSyntax syntax = syntaxOf(reader_);
 	if (syntax == gdcm::TransferSyntax::JPEG2000Lossless || syntax == gdcm::TransferSyntax::JPEG2000)
 		return isWholeJpeg2000(packedBytes(index), form_.columns, form_.rows, form_.samples);
@@ -224,7 +224,7 @@ bool DicomPixels::isWhole(std::size_t index) const
 		return true;
 	const std::string bytes = packedBytes(index);
 	const auto mark = bytes.rfind("\xFF\xD9");
-	return mark != bytes.npos && bytes.size() - mark <= kMostBehind;
+	return mark != bytes.npos && bytes.size() - mark <= kMaxBehind;
 }
 
 std::string DicomPixels::unpacked(std::size_t index) const

@@ -21,9 +21,9 @@ bool isWhole(double number)
 // multiples of one power of two, and no more than 2^24 of it.
 bool isExactInFloat(double low, double high, double slope, double intercept)
 {
-	constexpr int kMostHalvings = 20;
+	constexpr int kMaxHalvings = 20;
 	const double largest = std::max(std::abs(low), std::abs(high)) * std::abs(slope) + std::abs(intercept);
-	for (int halvings = 0; halvings <= kMostHalvings; ++halvings)
+	for (int halvings = 0; halvings <= kMaxHalvings; ++halvings)
 		if (isWhole(std::ldexp(slope, halvings)) && isWhole(std::ldexp(intercept, halvings)))
 			return std::ldexp(largest, halvings) <= 16777216.0;
 	return false;

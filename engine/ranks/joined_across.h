@@ -23,13 +23,13 @@ struct Link
 };
 
 /// The connected components of the items of all ranks.
-struct Together
+struct JoinedAcross
 {
 	std::size_t count = 0;             // number of components
 	std::vector<std::uint8_t> marks{}; // per own item: the bits of all items in its component
 };
 
 /// own: the bits of this rank's things. links: those that this rank knows; others may know the same.
-Together joinOverRanks(Team& team, std::span<const std::uint8_t> own, std::vector<Link> links);
+JoinedAcross joinOverRanks(Team& team, std::span<const std::uint8_t> own, std::vector<Link> links);
 
 } // namespace vp::ranks

@@ -1,4 +1,4 @@
-#include "ranks/together.h"
+#include "ranks/joined_across.h"
 
 #include "mesh/union_find.h"
 
@@ -7,7 +7,7 @@
 namespace vp::ranks
 {
 
-Together joinOverRanks(Team& team, std::span<const std::uint8_t> own, std::vector<Link> links)
+JoinedAcross joinOverRanks(Team& team, std::span<const std::uint8_t> own, std::vector<Link> links)
 {
 	std::ranges::sort(links);
 	links.erase(std::unique(links.begin(), links.end()), links.end());
@@ -33,7 +33,7 @@ Together joinOverRanks(Team& team, std::span<const std::uint8_t> own, std::vecto
 		joined.join(numberOf(link.rank, link.number), numberOf(link.other, link.other_number));
 	for (std::uint32_t i = 0; i < marks.size(); ++i)
 		marks[joined.root(i)] |= marks[i];
-	Together together{joined.count(), {}};
+	JoinedAcross together{joined.count(), {}};
 	for (std::uint32_t i = 0; i < own.size(); ++i)
 		together.marks.push_back(marks[joined.root(numberOf(team.rank(), i))]);
 	return together;
