@@ -3,59 +3,16 @@
 #include "base/messages.h"
 #include "base/progress.h"
 #include "base/stop_scope.h"
-#include "ranks/data/share.h"
 #include "ranks/search/rank_to_rank.h"
 #include "session/frame.h"
-#include "session/sheet_traces.h"
-#include "view/validate.h"
-#include "view/words.h"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace vp::session
 {
-
-namespace
-{
-
-// tbb's limit holds as long as its object lives, and the program needs it to the end.
-void limitThreads(int threads)
-{
-	static std::unique_ptr<tbb::global_control> limit;
-	if (threads > 0)
-		limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, threads);
-}
-
-// Those that are shown, where no others are wanted. Vectors have colors by any array, and start with the first that
-// fits.
-read::ArrayWish wishedArrays(const view::ProbeSpec& probe)
-{
-	if (probe.vectors.on())
-		return {};
-	read::ArrayWish wish{.all = false, .names = {}, .first = probe.array.empty()};
-	if (!probe.array.empty())
-		wish.names.push_back(probe.array);
-	if (!probe.vectors.array.empty())
-		wish.names.push_back(probe.vectors.array);
-	if (probe.own)
-		for (const probe::Sheet& sheet : probe.own->probe.sheets)
-			if (sheet.wishes.array)
-				wish.names.push_back(*sheet.wishes.array);
-	return wish;
-}
-
-bool namesPatch(const view::ViewSpec& spec)
-{
-	return std::holds_alternative<find::PatchName>(spec.probe.surface) ||
-	       std::ranges::any_of(spec.look.context, [](const view::ContextSpec& context)
-	                           { return context.kind == view::ContextKind::patch; });
-}
-
-} // namespace
 
 bool servesOneCut(const view::ViewSpec& spec)
 {
@@ -65,32 +22,6 @@ bool servesOneCut(const view::ViewSpec& spec)
 	       probe.seeds == seed::SeedMode::automatic && probe.outside == seed::OutsidePolicy::nearest &&
 	       !machine.visited && machine.classify != view::Classify::gpu &&
 	       (!machine.strategy || machine.strategy == find::Strategy::spans);
-}
-
-read::ReadOptions readOptions(const view::ViewSpec& spec, const read::TimeChoice& time)
-{
-	const view::InputSpec& input = spec.input;
-	return {.time = time,
-	        .solution = input.solution,
-	        .refine = input.refine,
-	        .displace = input.displace,
-	        .patches = namesPatch(spec),
-	        .format = input.format,
-	        .raw = input.raw};
-}
-
-read::ReadOptions Session::readOptions(const read::TimeChoice& time) const
-{
-	read::ReadOptions reading = session::readOptions(spec_, time);
-	if (!reads_all_arrays_)
-		reading.arrays = wishedArrays(spec_.probe);
-	return reading;
-}
-
-// Reads the inputs: all of them, or the share of this rank.
-Result<grid::BlockSet> Session::readInputs(const read::ReadOptions& options)
-{
-	return ranks::readInputs(ranks_, spec_.input.files, options, timeline_.get());
 }
 
 bool needsNeighbors(const view::ViewSpec& spec)
@@ -348,73 +279,6 @@ cut::CutRequest Session::cutRequest(const FrameRequest& request) const
 	        .surface = view::listedSurface(view_.surface, request.done),
 	        .last = nullptr,
 	        .timeline = timeline_.get()};
-}
-
-Result<grid::BlockSet> Session::readBlocks(const OpenOptions& options)
-{
-	const Progress progress(fmt::format("reading {}", fmt::join(spec_.input.files, ", ")));
-	read::ReadOptions reading = readOptions(spec_.input.time);
-	reading.identifies_geometry = options.reads_again || spec_.probe.vectors.path_lines;
-	reading.stop = options.stop;
-	const bool needs_neighbors = options.expect == Expect::more || needsNeighbors(spec_);
-	reading.builds_neighbors = needs_neighbors && options.ranks.buildsWhileReading();
-	reading.for_one_cut = !needs_neighbors && options.expect == Expect::one_cut && servesOneCut(spec_);
-	return readInputs(reading);
-}
-
-// Makes a session with the blocks that `take` gives, while the device opens.
-template <class Take>
-Result<std::unique_ptr<Session>> Session::make(view::ViewSpec spec, OpenOptions options, Take&& take)
-{
-	limitThreads(spec.machine.threads);
-	std::unique_ptr<Session> session(new Session());
-	session->timeline_ = std::make_unique<Timeline>(options.keep);
-	session->reads_all_arrays_ = options.reads_all_arrays;
-	session->spec_ = std::move(spec);
-	// What can be wrong with the settings is told before a large file is read.
-	if (Status fits = view::validate(session->spec_); !fits)
-		return fits.error();
-	session->ranks_ = options.ranks;
-	if (Status fits = ranks::canCarryOut(session->ranks_, session->spec_); !fits)
-		return fits.error();
-	std::future<Result<OpenedDevice>> opening;
-	if (!options.device)
-		opening = session::openDevice(session->spec_, options.use);
-	Result<grid::BlockSet> blocks = endingOnRequest(options.stop, "opening", [&] { return take(*session); });
-	if (!blocks)
-		return blocks.error();
-	session->blocks_ = std::move(*blocks);
-	session->device_ = std::move(options.device);
-	if (Status resolved = session->resolve(session->spec_); !resolved)
-		return resolved.error();
-	if (opening.valid())
-	{
-		Result<OpenedDevice> opened = opening.get();
-		if (!opened)
-			return opened.error();
-		session->device_ = std::move(opened->device);
-		session->renderer_ = std::move(opened->renderer);
-	}
-	if (Status made = session->makeCutter(); !made)
-		return made.error();
-	const auto plan = session->plan({.expect = Expect::first_of_many});
-	const bool is_joined =
-	    !session->ranks_.buildsWhileReading() && (options.expect == Expect::more || needsNeighbors(session->spec_));
-	if (is_joined || (plan && plan->needs_neighbors))
-		if (Status built = session->buildNeighbors(options.stop); !built)
-			return built.error();
-	return session;
-}
-
-Result<std::unique_ptr<Session>> Session::open(view::ViewSpec spec, OpenOptions options)
-{
-	return make(std::move(spec), options, [&](Session& session) { return session.readBlocks(options); });
-}
-
-Result<std::unique_ptr<Session>> Session::of(grid::BlockSet blocks, view::ViewSpec spec, OpenOptions options)
-{
-	return make(std::move(spec), std::move(options),
-	            [&](const Session&) -> Result<grid::BlockSet> { return std::move(blocks); });
 }
 
 Result<cut::Cut> Session::cut(const FrameRequest& request, std::shared_ptr<const cut::Cut> last, std::stop_token stop)
