@@ -7,7 +7,7 @@
 namespace vp::session
 {
 
-// What Session::frame() makes: the cut of every sheet, its polygons and figures, and contours.
+// The result of Session::frame(): the cut of every sheet, its polygons and figures, and contours.
 struct Frame
 {
 	cut::Cut slice;

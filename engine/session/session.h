@@ -46,7 +46,7 @@ struct LaunchState
 	std::optional<std::pair<grid::FieldChoice, double>> fastest; // the greatest length in the array of vectors
 };
 
-/// What follows a cut. It decides what is built for it.
+/// Says whether other cuts follow. This decides what is built for a cut.
 enum class Expect
 {
 	one_cut,       // nothing that one cut does without
@@ -54,7 +54,7 @@ enum class Expect
 	more           // everything is built, since it makes later cuts fast
 };
 
-/// What a frame must hold besides the polygons of its sheets.
+/// The contents of a frame besides the polygons of its sheets.
 struct Wants
 {
 	enum class Figures
@@ -72,7 +72,7 @@ struct Wants
 
 struct Frame; // frame.h
 
-/// What to cut by the settings of a session.
+/// A request for a frame by the settings of a session.
 struct FrameRequest
 {
 	std::optional<probe::Frame> pose{}; // of the probe; nothing takes the one of the settings

@@ -1,4 +1,4 @@
-// What a session takes from the frame before, and what it finds anew.
+// A session takes from the frame before what has not changed, and finds the rest anew.
 #include "session/frame.h"
 
 #include <gtest/gtest.h>
