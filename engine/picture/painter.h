@@ -30,7 +30,7 @@ public:
 	// Sets the look from the next picture on. A camera that the look does not fix is fitted again.
 	Status setLook(view::ResolvedLook look);
 
-	// Returns the scene for renderer(). sheets: sheetStats() of the cut. Section "scene" on the timeline.
+	// Returns the scene for renderer(). sheets: those of the frame. Section "scene" on the timeline.
 	Result<render::Scene> sceneOf(const cut::Cut& slice, const std::vector<session::SheetStats>& sheets,
 	                              const session::Contours& contours = {});
 	render::Renderer& renderer() { return renderer_; }
@@ -39,7 +39,7 @@ public:
 	Status drawInto(const gpu::Image& image, const cut::Cut& slice, const std::vector<session::SheetStats>& sheets,
 	                const session::Contours& contours);
 
-	// Draws a picture. sheets: sheetStats() of the cut. Section "render" on the timeline. A stop request ends it with
+	// Draws a picture. sheets: those of the frame. Section "render" on the timeline. A stop request ends it with
 	// ErrorKind::cancelled. Only the first of several ranks gets a picture, the others an empty one.
 	Result<render::Picture> draw(const cut::Cut& slice, const std::vector<session::SheetStats>& sheets,
 	                             const session::Contours& contours = {}, const std::stop_token& stop = {});

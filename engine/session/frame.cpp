@@ -53,18 +53,20 @@ void addFigures(const Session& session, Wants::Figures wanted, const std::vector
 
 Result<std::shared_ptr<const Frame>> Session::frame(const FrameRequest& request, std::stop_token stop)
 {
-	const auto cancelled = [&] { return stop.stop_requested(); };
 	if (Status ready = prepareFor(request, stop); !ready)
 		return ready.error();
 	expected_ = request.expect;
 	const Frame* last = usableLast(request);
-	if (last && last->stamp == stamp_ && last->made_for.isPlacedAs(request) && last->made_for.wants == request.wants)
+	const bool has_contours = last && (!request.wants.contours || last->contour == spec_.look.contour);
+	if (has_contours && last->stamp == stamp_ && last->made_for.isPlacedAs(request) &&
+	    last->made_for.wants == request.wants)
 		return request.last;
 
 	auto frame = std::make_shared<Frame>();
 	frame->made_for = request;
 	frame->made_for.last.reset();
 	frame->stamp = stamp_;
+	frame->contour = spec_.look.contour;
 	std::vector<bool> kept; // per sheet
 	{
 		const TimedSection section(timeline_.get(), "cut");
@@ -78,7 +80,7 @@ Result<std::shared_ptr<const Frame>> Session::frame(const FrameRequest& request,
 			return added.error();
 	}
 	addFigures(*this, request.wants.figures, kept, *frame);
-	if (cancelled())
+	if (stop.stop_requested())
 		return Error{ErrorKind::cancelled, "cutting was cancelled"};
 	if (request.wants.contours)
 	{

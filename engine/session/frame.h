@@ -12,9 +12,10 @@ struct Frame
 {
 	cut::Cut slice;
 	std::vector<SheetStats> sheets;
-	Contours contours{};     // filled if the settings ask for them
-	FrameRequest made_for{}; // without the frame before it
-	Session::Stamp stamp{};  // of the session that made it
+	Contours contours{};         // filled if the settings ask for them
+	view::ContourSpec contour{}; // the settings of the contours
+	FrameRequest made_for{};     // without the frame before it
+	Session::Stamp stamp{};      // of the session that made it
 };
 
 } // namespace vp::session

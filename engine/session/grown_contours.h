@@ -31,7 +31,7 @@ enum class Tell
 	nothing
 };
 
-// Grows the contours that the settings ask for. sheets: sheetStats() of the cut. pointed: one more contour, which is
+// Grows the contours that the settings ask for. sheets: those of the frame. pointed: one more contour, which is
 // never reported. All ranks call it together, and each gets the polygons of its blocks. Sheets that are not planes
 // are a usage error; sheets without point values are an input error. Section "contour" on the timeline.
 Result<Contours> growContours(const Session& session, const cut::Cut& slice, const std::vector<SheetStats>& sheets,

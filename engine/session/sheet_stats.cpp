@@ -53,20 +53,6 @@ void measureForPicture(const Session& session, const cut::Cut& slice, std::size_
 	    [](double& sum, double other) { sum += other; });
 }
 
-Result<std::vector<SheetStats>> sheetStats(const Session& session, const cut::Cut& slice)
-{
-	std::vector<SheetStats> sheets;
-	for (std::size_t s = 0; s < slice.sheets.size(); ++s)
-	{
-		Result<SheetStats> stats = sheetMesh(session, slice, s);
-		if (!stats)
-			return stats.error();
-		sheets.push_back(std::move(*stats));
-		measureSheet(session, slice, s, sheets.back());
-	}
-	return sheets;
-}
-
 std::vector<mesh::SheetMesh> exportedMeshes(const std::vector<SheetStats>& sheets)
 {
 	std::vector<mesh::SheetMesh> meshes;

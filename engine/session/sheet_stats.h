@@ -26,11 +26,9 @@ struct SheetStats
 	ranks::Borders crinkle_borders{};                // the same of the whole cells
 };
 
-Result<std::vector<SheetStats>> sheetStats(const Session& session, const cut::Cut& slice);
-// All ranks call these together, and the figures are those of all meshes together.
-//
-// The same for one sheet in two steps. sheetMesh() builds the polygons (section "emit") and launches particles.
-// measureSheet() computes the figures (section "measure").
+// One sheet in two steps. sheetMesh() builds the polygons (section "emit") and launches particles. measureSheet()
+// computes the figures (section "measure"). All ranks call these together, and the figures are those of all meshes
+// together.
 Result<SheetStats> sheetMesh(const Session& session, const cut::Cut& slice, std::size_t sheet);
 void measureSheet(const Session& session, const cut::Cut& slice, std::size_t sheet, SheetStats& stats);
 // Replaces the second step if only a picture is needed: finds out whether values are missing.

@@ -73,6 +73,12 @@ TEST(SessionFrame, IsTheLastOneWhereNothingHasChanged)
 	ASSERT_TRUE(session->set(other));
 	EXPECT_EQ(frameOf(*session, request), first);
 
+	other.look.contour.values = {0.0};
+	ASSERT_TRUE(session->set(other));
+	const SharedFrame with_contour = frameOf(*session, request);
+	ASSERT_EQ(with_contour->contours.size(), 1u);
+	EXPECT_EQ(with_contour->sheets[0].measure.area, first->sheets[0].measure.area);
+
 	request.wants.figures = session::Wants::Figures::for_picture;
 	EXPECT_NE(frameOf(*session, request), first);
 }
