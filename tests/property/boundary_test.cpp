@@ -268,7 +268,7 @@ TEST(Boundary, FiguresAreThoseOfThePolygons)
 		if (testing::Test::HasFailure())
 			return;
 	}
-	EXPECT_GT(with_faces, static_cast<std::size_t>(tries(20)));
+	EXPECT_GE(with_faces, static_cast<std::size_t>(tries(10)));
 }
 
 } // namespace vp::test
