@@ -68,7 +68,9 @@ def write_cubes(path, types, field, unused=2):
         blocks.append(cells)
     with netcdf4.Dataset(path, 'w', format='NETCDF3_64BIT_OFFSET') as file:
         sizes = {'len_string': 33, 'len_name': 33, 'time_step': None, 'num_dim': 3, 'num_nodes': len(points),
-                 'num_elem': sum(map(len, blocks)), 'num_el_blk': len(blocks), 'num_nod_var': 1}
+                 'num_elem': sum(map(len, blocks)), 'num_el_blk': len(blocks)}
+        if field:
+            sizes['num_nod_var'] = 1
         for name, size in sizes.items():
             file.createDimension(name, size)
         file.api_version = file.version = numpy.float32(8.03)
@@ -156,6 +158,7 @@ def exodus_refused(folder):
             ('sides', 'what the elements of its block 1 are', lambda f: f.renameDimension('num_nod_per_el1', 'other')),
             ('number', 'what the elements of its block 1 are', lambda f: f.renameDimension('num_el_in_blk1', 'other')),
             ('type', 'what the elements of its block 1 are', lambda f: f['connect1'].delncattr('elem_type')),
+            ('names', 'no name_nod_var', lambda f: f.renameVariable('name_nod_var', 'other')),
             ('corners', 'has the node 1000000 of', lambda f: f['connect1'].__setitem__((0, 0), 1000000))):
         path = folder / f'{name}.e'
         write_cubes(path, [t for t in TYPES if t[0] == 'HEX8'], linear)

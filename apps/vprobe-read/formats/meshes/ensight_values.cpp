@@ -168,7 +168,7 @@ private:
 			at_.reals(to, count * components_);
 		else
 			for (int c = 0; c < components_; ++c)
-				at_.reals(to + c, count, width());
+				at_.reals(count == 0 ? nullptr : to + c, count, width());
 	}
 
 	EnSightCursor& at_;

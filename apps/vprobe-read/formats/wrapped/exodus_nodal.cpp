@@ -96,6 +96,11 @@ void refuseMissingExodus(const std::string& path)
 	const std::vector<double> name_length = file.numbers(NC_GLOBAL, "maximum_name_length");
 	if (!name_length.empty() && !(name_length[0] >= 0.0 && name_length[0] <= kMaxNameLength))
 		throw damaged(fmt::format("it announces names of {} characters", name_length[0]));
+	// Where names are missing, VTK takes what happens to be in memory for them.
+	for (const char* kind : {"glo", "nod", "edge", "face", "elem", "nset", "eset", "fset", "sset", "elset"})
+		if (file.length(fmt::format("num_{}_var", kind).c_str()) > 0 &&
+		    file.variable(fmt::format("name_{}_var", kind).c_str()) < 0)
+			throw damaged(fmt::format("it has num_{0}_var variables, but no name_{0}_var with their names", kind));
 	checkExodusBlocks(file);
 	const std::size_t blocks = file.length("num_el_blk"), variables = file.length("num_elem_var");
 	const int table = file.variable("elem_var_tab");
