@@ -44,6 +44,7 @@ Result<ResolvedLook> resolveLook(const ViewSpec& spec)
 	look.height = from.size.height;
 	look.samples = from.samples;
 	look.range = from.range;
+	look.marks_out_of_range = from.mark_out_of_range;
 	look.logarithmic = from.logarithmic;
 	look.lines = from.lines;
 	look.bands = from.bands;

@@ -56,6 +56,14 @@ Text isoValue(SurfaceSpec* value)
 	        .set = [value](const std::string& words) { return surface(value).set("iso:" + words); }};
 }
 
+Numbers windowLevel(std::optional<std::pair<double, double>>* range)
+{
+	return {2, [] { return std::vector<double>(); },
+	        [range](const std::vector<double>& n) {
+		        *range = std::pair{n[1] - 0.5 * n[0], n[1] + 0.5 * n[0]};
+	        }};
+}
+
 Text component(std::optional<int>* value)
 {
 	return {[value] { return *value ? std::optional(grid::componentText(**value)) : std::nullopt; },

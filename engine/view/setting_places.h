@@ -83,6 +83,8 @@ Text direction(std::optional<Vec3>* value);
 Text surface(SurfaceSpec* value);
 /// The value of an iso surface, which is one kind of surface. Files have it in the setting of the surface.
 Text isoValue(SurfaceSpec* value);
+/// The range of the colors by its width and its middle. Files have it in the setting of the range.
+Numbers windowLevel(std::optional<std::pair<double, double>>* range);
 Text component(std::optional<int>* value);
 Texts contexts(std::vector<ContextSpec>* value);
 Numbers vector(std::optional<Vec3>* value);

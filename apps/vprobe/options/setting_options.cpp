@@ -145,8 +145,11 @@ void addSettings(CLI::App& command, SpecOptions& options, std::string_view secti
 		if (*all.title)
 			option->group(all.title);
 	}
+	// Two ways to give the same setting.
 	if (section == "probe")
 		command.get_option("--iso")->excludes(command.get_option("--surface"));
+	if (section == "look")
+		command.get_option("--window-level")->excludes(command.get_option("--range"));
 }
 
 CLI::Option* addInputs(CLI::App& command, SpecOptions& options)
