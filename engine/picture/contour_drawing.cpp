@@ -13,7 +13,7 @@ Status addContours(const session::Session& session, const cut::SheetCut& sheet,
 {
 	if (contours.empty())
 		return Nothing{};
-	const bool colored = !choice.by_generation; // whose scale is none of the values'
+	const bool colored = !choice.byGeneration(); // whose scale is none of the values'
 	auto polygons = ranks::contourPolygons(session.ranks(), *session.device(), sheet, contours, colored);
 	if (!polygons)
 		return polygons.error();
@@ -21,7 +21,7 @@ Status addContours(const session::Session& session, const cut::SheetCut& sheet,
 		return Nothing{};
 	render::Surface& surface = scene.surfaces.emplace_back();
 	surface.polygons = std::move(*polygons);
-	surface.opacity = choice.contour.opacity;
+	surface.opacity = choice.spec.contour.opacity;
 	surface.mesh = choice.look.mesh;
 	surface.lines = 0; // one value has no lines
 	if (!colored)

@@ -79,7 +79,7 @@ Status Painter::takeBlocks()
 Status Painter::makeContext()
 {
 	context_.clear();
-	for (const view::ContextSpec& context : choice().context)
+	for (const view::ContextSpec& context : choice().spec.context)
 	{
 		Result<mesh::SheetMesh> mesh = contextMesh(session_.blocks(), context);
 		if (!mesh)
@@ -103,7 +103,7 @@ Status Painter::setLook(view::ResolvedLook look)
 {
 	const view::ResolvedLook& before = looks_.choice();
 	const bool same_around = look.look.outline == before.look.outline && look.look.box_axes == before.look.box_axes &&
-	                         look.context == before.context;
+	                         look.spec.context == before.spec.context;
 	looks_.setChoice(std::move(look));
 	camera_.reset();
 	return same_around ? Status(Nothing{}) : takeBlocks();
@@ -128,7 +128,7 @@ Result<render::Surface> Painter::surfaceOf(const cut::Cut& slice, std::size_t sh
 	const mesh::SheetMesh& mesh = stats.crinkle ? *stats.crinkle : stats.mesh;
 	auto polygons = ranks::surfacePolygons(
 	    session_.ranks(), *session_.device(), mesh, stats.crinkle ? stats.crinkle_borders : stats.borders,
-	    sheetValues(slice.blocksOf(session_.blocks()), slice.sheets[sheet], mesh, choice().by_generation));
+	    sheetValues(slice.blocksOf(session_.blocks()), slice.sheets[sheet], mesh, choice().byGeneration()));
 	if (!polygons)
 		return polygons.error();
 	return render::Surface{.polygons = std::move(*polygons),
@@ -154,7 +154,7 @@ void Painter::addContours(const cut::Cut& slice, const std::vector<session::Shee
 		if (levels.empty())
 			continue;
 		const auto values =
-		    sheetValues(slice.blocksOf(session_.blocks()), slice.sheets[s], sheets[s].mesh, choice().by_generation);
+		    sheetValues(slice.blocksOf(session_.blocks()), slice.sheets[s], sheets[s].mesh, choice().byGeneration());
 		drawing.contours = render::levelLines(sheets[s].mesh, content, values, levels);
 	}
 	// Any sheet may hide labels of another.
@@ -170,7 +170,7 @@ Result<std::shared_ptr<const classify::SheetRecords>> Painter::recordsOf(const c
                                                                          const session::SheetStats& stats)
 {
 	const cut::SheetCut& sheet = slice.sheets[number];
-	const bool by_generation = choice().by_generation;
+	const bool by_generation = choice().byGeneration();
 	if (sheet.records && !by_generation)
 		return std::shared_ptr<const classify::SheetRecords>(sheet.records);
 	if (const auto known = records_.find(sheet.number); known != records_.end())
@@ -231,7 +231,7 @@ Result<render::Scene> Painter::sceneOf(const cut::Cut& slice, const std::vector<
 	scene.outline = outline_;
 	scene.surfaces = context_;
 	scene.bounds = session_.blocks().bounds();
-	scene.fitted = choice().camera.kind != render::CameraChoice::Kind::fixed;
+	scene.fitted = choice().spec.camera.kind != render::CameraChoice::Kind::fixed;
 	auto scale = looks_.scaleOf(slice, sheets, std::ranges::any_of(sheets, hasNan));
 	if (!scale)
 		return scale.error();
@@ -249,18 +249,19 @@ Result<render::Scene> Painter::sceneOf(const cut::Cut& slice, const std::vector<
 	if (!slice.sheets.empty() && choice().captions)
 		scene.look.caption =
 		    has_plane ? caption(*first, session_.blocks().bounds()) : cut::surfaceName(slice.sheets.front());
-	if (!camera_ || choice().camera.followsSheet())
+	if (!camera_ || choice().spec.camera.followsSheet())
 	{
-		if (choice().camera.followsSheet() && !has_plane)
+		if (choice().spec.camera.followsSheet() && !has_plane)
 			return Error{ErrorKind::usage,
 			             "`camera` sheet: a surface that is no plane has no front; choose another view"};
 		// If there are several sheets, the camera does not look along any of them.
-		const bool by_sheet = slice.sheets.size() == 1 || choice().camera.followsSheet();
+		const bool by_sheet = slice.sheets.size() == 1 || choice().spec.camera.followsSheet();
 		std::vector<Vec3> extent = extent_;
 		if (choice().window_rims)
 			for (const cut::SheetCut& sheet : slice.sheets)
 				addRim(sheet.shown, extent);
-		camera_ = render::makeCamera(choice().camera, by_sheet ? first : nullptr, extent, render::pictureFrame(scene));
+		camera_ =
+		    render::makeCamera(choice().spec.camera, by_sheet ? first : nullptr, extent, render::pictureFrame(scene));
 	}
 	scene.camera = *camera_;
 	return scene;

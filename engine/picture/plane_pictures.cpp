@@ -53,12 +53,12 @@ Result<std::vector<std::string>> writePictures(const session::Session& session, 
 		flat.scene.bounds = session.blocks().bounds();
 		flat.scene.look = looks.choice().look;
 		flat.scene.look.caption = caption(slice.sheets[s].sheet, *flat.scene.bounds);
-		flat.camera = look.camera;
+		flat.camera = look.spec.camera;
 		flat.content = slice.sheets[s].sheet;
 		flat.mesh = &sheets[s].mesh;
 		flat.color_steps = write::colorSteps(*write::pictureFormatOf(output));
 		flat.values =
-		    sheetValues(slice.blocksOf(session.blocks()), slice.sheets[s], sheets[s].mesh, look.by_generation);
+		    sheetValues(slice.blocksOf(session.blocks()), slice.sheets[s], sheets[s].mesh, look.byGeneration());
 	}
 	if (Status written = write::writePlanePictures(flats, *paths); !written)
 		return written.error();

@@ -66,7 +66,8 @@ SheetLooks::SheetLooks(const session::Session& session, view::ResolvedLook choic
 
 void SheetLooks::setChoice(view::ResolvedLook choice)
 {
-	const bool same_scales = choice.look.logarithmic == choice_.look.logarithmic && choice.units == choice_.units;
+	const bool same_scales =
+	    choice.look.logarithmic == choice_.look.logarithmic && choice.spec.units == choice_.spec.units;
 	choice_ = std::move(choice);
 	takeLengthUnits();
 	if (!same_scales)
@@ -86,8 +87,8 @@ void SheetLooks::takeLengthUnits()
 // Those of the settings go before the file's.
 std::string SheetLooks::unitsOf(const std::optional<grid::FieldChoice>& field) const
 {
-	if (field == session_.view().field && !choice_.units.empty())
-		return choice_.units;
+	if (field == session_.view().field && !choice_.spec.units.empty())
+		return choice_.spec.units;
 	if (field && !field->name.ends_with(']'))
 		for (const grid::Field* of_block : field->inEach(session_.blocks()))
 			if (of_block && !of_block->units.empty())
@@ -122,13 +123,14 @@ void SheetLooks::chooseEnds(render::ValueScale& scale, std::span<const session::
 		for (const std::optional<double>& end : {sheet->measure.min, sheet->measure.max})
 			if (end)
 				shown.include(*end);
-	if (choice_.range_of_slice && !shown.empty()) // where nothing is shown the array's ends serve
+	if (choice_.spec.range_of == view::RangeOf::slice &&
+	    !shown.empty()) // where nothing is shown the array's ends serve
 	{
 		std::tie(scale.lo, scale.hi) = shown.range();
 		if (scale.lo > 0.0)
 			scale.log_lo = scale.lo;
 	}
-	if (choice_.symmetric)
+	if (choice_.spec.symmetric)
 	{
 		scale.hi = std::max(std::abs(scale.lo), std::abs(scale.hi));
 		scale.lo = -scale.hi;
@@ -138,7 +140,7 @@ void SheetLooks::chooseEnds(render::ValueScale& scale, std::span<const session::
 Result<std::optional<render::ValueScale>> SheetLooks::scaleOf(const cut::Cut& slice,
                                                               std::span<const session::SheetStats> sheets, bool has_nan)
 {
-	if (choice_.by_generation)
+	if (choice_.byGeneration())
 		return std::optional(generationScale(slice));
 	auto scale = scaleOf(session_.view().field, has_nan);
 	if (!scale || !*scale)
@@ -154,12 +156,12 @@ Result<std::optional<render::ValueScale>> SheetLooks::scaleOf(const cut::Cut& sl
 Result<render::SheetDrawing> SheetLooks::drawing(const cut::SheetCut& sheet, const session::SheetStats& stats)
 {
 	const probe::SheetWishes& wishes = sheet.shown.wishes;
-	render::SheetDrawing drawing{sheet.shown, nullptr, wishes.opacity.value_or(choice_.opacity)};
+	render::SheetDrawing drawing{sheet.shown, nullptr, wishes.opacity.value_or(choice_.spec.opacity)};
 	drawing.magnification = sheet.shown.fx.magnification;
 	if (const std::optional<probe::Window>& window = sheet.sheet.window)
 		drawing.window = render::WindowRect{window->x0, window->x1, window->y0, window->y1};
 	drawing.rim = choice_.window_rims;
-	if (sheet.field != session_.view().field && !choice_.by_generation)
+	if (sheet.field != session_.view().field && !choice_.byGeneration())
 	{
 		auto scale = scaleOf(sheet.field, hasNan(stats));
 		if (!scale)

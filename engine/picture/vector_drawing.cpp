@@ -71,7 +71,7 @@ std::vector<Vec3> velocitiesOf(const vectors::Traces& traces, vectors::VectorPar
 } // namespace
 
 // An array's name goes before a color's.
-Result<VectorDrawing::Coloring> VectorDrawing::coloringOf(const view::ResolvedVectorLook& look) const
+Result<VectorDrawing::Coloring> VectorDrawing::coloringOf(const view::VectorLookSpec& look) const
 {
 	if (look.color.empty())
 		return Coloring{session_->view().vector_array};
@@ -145,7 +145,7 @@ Result<std::optional<render::Surface>> VectorDrawing::surface(const cut::Cut& sl
 {
 	if (!session_->view().launch)
 		return std::optional<render::Surface>();
-	const view::ResolvedVectorLook& look = looks.choice().vectors;
+	const view::VectorLookSpec& look = looks.choice().spec.vectors;
 	Result<Coloring> coloring = coloringOf(look);
 	if (!coloring)
 		return coloring.error();
@@ -164,13 +164,13 @@ Result<std::optional<render::Surface>> VectorDrawing::surface(const cut::Cut& sl
 	surface.name = "vectors";
 	if (!kept_->coloring.field)
 		return std::optional(surface);
-	const bool as_sheets = kept_->coloring.field == session_->view().field && !looks.choice().by_generation;
+	const bool as_sheets = kept_->coloring.field == session_->view().field && !looks.choice().byGeneration();
 	Result<std::optional<render::ValueScale>> own =
 	    as_sheets ? scale : looks.scaleOf(*kept_->coloring.field, kept_->has_nan);
 	if (!own)
 		return own.error();
 	surface.values = *own;
-	surface.colors = look.colors;
+	surface.colors = looks.choice().vector_colors;
 	if (as_sheets)
 		surface.range = looks.choice().look.range;
 	else if (!surface.colors)

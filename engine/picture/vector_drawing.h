@@ -47,7 +47,7 @@ private:
 		bool has_nan = false;
 	};
 
-	Result<Coloring> coloringOf(const view::ResolvedVectorLook& look) const;
+	Result<Coloring> coloringOf(const view::VectorLookSpec& look) const;
 	std::vector<double> valuesOf(const Coloring& coloring, const vectors::Traces& traces) const;
 	std::vector<double> turnsOf(const vectors::Traces& traces) const;
 	void addTraces(const vectors::Traces& traces, const Vec3& normal, const Coloring& coloring, double width,

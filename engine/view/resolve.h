@@ -61,30 +61,16 @@ void takePlace(ProbeSpec& spec, const ProbeSpec& from);
 /// sheets.
 std::optional<find::ListedSurface> listedSurface(const SurfaceSpec& surface, double done);
 
-/// The look of particles, with the color map read.
-struct ResolvedVectorLook
-{
-	std::string color;                      // as in VectorLookSpec
-	std::optional<render::ColorMap> colors; // if empty, see VectorLookSpec
-	std::optional<double> width;
-	double opacity = 1.0;
-};
-
 /// A LookSpec with its color maps read.
 struct ResolvedLook
 {
-	render::Look look;
-	render::CameraChoice camera;
-	std::vector<ContextSpec> context;
-	ContourSpec contour;
-	double opacity = 1.0;        // for every sheet
-	bool range_of_slice = false; // without a range, the colors span the values that the sheets show
-	bool symmetric = false;      // the range is symmetric about 0
-	bool by_generation = false;  // color by generation instead of by the array
-	std::string units;           // units of the array, shown behind its name
-	bool captions = true;        // show the place of the first sheet
-	bool window_rims = true;     // draw lines around windows
-	ResolvedVectorLook vectors;
+	LookSpec spec;
+	render::Look look;                             // what is drawn of it without a further choice
+	std::optional<render::ColorMap> vector_colors; // the map of the particles; if empty, see VectorLookSpec
+	bool captions = true;                          // show the place of the first sheet
+	bool window_rims = true;                       // draw lines around windows
+
+	bool byGeneration() const { return spec.color_by == ColorBy::generation; }
 };
 
 /// Resolves the look, which needs no data set, so it can run before a large file is read. Reads color maps; a file that

@@ -27,25 +27,12 @@ Status checkCategories(const LookSpec& spec, const render::ColorMap& colors)
 	                                           key, spec.colormap)};
 }
 
-Result<ResolvedVectorLook> resolveVectorLook(const VectorLookSpec& spec)
-{
-	ResolvedVectorLook look{spec.color, {}, spec.width, spec.opacity};
-	if (!spec.colormap.empty())
-	{
-		Result<render::ColorMap> colors = render::chooseColorMap(spec.colormap);
-		if (!colors)
-			return Error{colors.error().kind, fmt::format("`vector_colormap`: {}", colors.error().message)};
-		look.colors = std::move(*colors);
-	}
-	return look;
-}
-
 } // namespace
 
 Result<ResolvedLook> resolveLook(const ViewSpec& spec)
 {
 	const LookSpec& from = spec.look;
-	ResolvedLook resolved;
+	ResolvedLook resolved{.spec = from};
 	render::Look& look = resolved.look;
 	Result<render::ColorMap> colors = render::chooseColorMap(from.colormap);
 	if (!colors)
@@ -57,6 +44,7 @@ Result<ResolvedLook> resolveLook(const ViewSpec& spec)
 	look.height = from.size.height;
 	look.samples = from.samples;
 	look.range = from.range;
+	look.marks_out_of_range = from.mark_out_of_range;
 	look.logarithmic = from.logarithmic;
 	look.lines = from.lines;
 	look.bands = from.bands;
@@ -70,20 +58,16 @@ Result<ResolvedLook> resolveLook(const ViewSpec& spec)
 	look.axes = from.axes == AxesStyle::corner;
 	look.box_axes = from.axes == AxesStyle::box;
 	look.title = from.title.value_or(inputTitle(spec.input.files));
-	resolved.camera = from.camera;
-	resolved.context = from.context;
-	resolved.contour = from.contour;
-	resolved.opacity = from.opacity;
-	resolved.range_of_slice = from.range_of == RangeOf::slice;
-	resolved.symmetric = from.symmetric;
-	resolved.by_generation = from.color_by == ColorBy::generation;
-	resolved.units = from.units;
 	// The paddlewheel's own window reaches around everything.
 	resolved.window_rims = spec.probe.window || spec.probe.shape != ProbeShape::paddlewheel;
-	Result<ResolvedVectorLook> vectors = resolveVectorLook(from.vectors);
-	if (!vectors)
-		return vectors.error();
-	resolved.vectors = std::move(*vectors);
+	if (!from.vectors.colormap.empty())
+	{
+		Result<render::ColorMap> vector_colors = render::chooseColorMap(from.vectors.colormap);
+		if (!vector_colors)
+			return Error{vector_colors.error().kind,
+			             fmt::format("`vector_colormap`: {}", vector_colors.error().message)};
+		resolved.vector_colors = std::move(*vector_colors);
+	}
 	return resolved;
 }
 

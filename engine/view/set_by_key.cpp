@@ -66,6 +66,7 @@ struct TakeText
 		*value = text == "true";
 		return Nothing{};
 	}
+	Status operator()(Bytes bytes) const { return number(*bytes.value); }
 	Status operator()(const Text& value) const { return value.set(text); }
 	Status operator()(const Texts& value) const { return value.set(words()); }
 	Status operator()(const Numbers& value) const
@@ -100,9 +101,8 @@ struct TakeText
 
 Status setByKey(ViewSpec& spec, std::string_view key, const std::string& text)
 {
-	std::vector<Section> sections = sectionsOf(spec);
-	sections.push_back(machineSection(spec));
 	std::string keys;
+	const std::vector<Section> sections = allSectionsOf(spec);
 	for (const Section& section : sections)
 		for (const Setting& setting : section.settings)
 		{

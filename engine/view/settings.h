@@ -2,16 +2,20 @@
 
 #include "view/view_spec.h"
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
 namespace vp::view
 {
 
-// The one list of what a state file holds. A new setting is one line in settings.cpp, and a member of ViewSpec.
+// The table of everything that can be set. A new setting is one line in settings_table.cpp and a member of ViewSpec.
+// Options of the command line, the manual pages, completions, state files and their schema, setByKey() and the tips of
+// the window come from the table.
 
 /// Names of inputs. In the file they are relative to its folder; demo:NAME does not change.
 struct Files
@@ -36,7 +40,12 @@ struct Text
 {
 	std::function<std::optional<std::string>()> get;
 	std::function<Status(const std::string&)> set; // the error names neither the setting nor the text
+	std::vector<std::string> words{};              // the possible texts; empty: there is no list of them
+	std::string if_not_set{};                      // the value that an empty one stands for, if there is such a value
 };
+
+/// The largest number of texts or numbers in a setting that holds any number of them.
+constexpr std::size_t kMaxListed = 64;
 
 /// Several values of this kind.
 struct Texts
@@ -53,6 +62,12 @@ struct Numbers
 	std::function<void(const std::vector<double>&)> set;
 };
 
+/// A number of bytes. A command line may have 1G or 512M.
+struct Bytes
+{
+	double* value;
+};
+
 /// A built-in thing by its name, or one that the user made, which the state contains as a whole.
 struct ProbeChoice
 {
@@ -67,7 +82,7 @@ struct PathChoice
 /// change the value.
 using Place =
     std::variant<std::string*, std::optional<std::string>*, int*, std::optional<int>*, double*, std::optional<double>*,
-                 bool*, Text, Texts, Numbers, Files, File, NameOrFile, ProbeChoice, PathChoice>;
+                 bool*, Bytes, Text, Texts, Numbers, Files, File, NameOrFile, ProbeChoice, PathChoice>;
 
 /// The range of a number, ends included.
 struct Limits
@@ -77,16 +92,28 @@ struct Limits
 	const char* instead = ""; // what the user may have meant by a number below `lo`
 };
 
+/// The commands that have the option of a setting, among those that have its section.
+enum class Offer : std::uint8_t
+{
+	always,
+	in_space, // commands that draw pictures in space
+	with_cuts // commands that cut
+};
+
 struct Setting
 {
 	const char* key; // the name of the option, with _ for -
 	Place place;
+	std::string help;               // a sentence for people, without the point at its end
+	std::string values{};           // the form of the values, such as "LO HI"; empty: it follows from the place
 	std::optional<Limits> limits{}; // for numbers
+	Offer offer = Offer::always;
 };
 
 struct Section
 {
 	const char* key;
+	const char* title; // the group of the options; empty: they are in no group
 	std::vector<Setting> settings;
 };
 
@@ -96,11 +123,21 @@ std::vector<Section> sectionsOf(ViewSpec& spec);
 /// Returns the settings of the machine, which no state file holds. They point into `spec`.
 Section machineSection(ViewSpec& spec);
 
+/// Returns all of them.
+std::vector<Section> allSectionsOf(ViewSpec& spec);
+
+/// Returns one of these sections by its key. The key must exist.
+Section sectionOf(ViewSpec& spec, std::string_view key);
+
+/// Returns a setting by its key. It points into `spec`. The key must exist.
+Setting settingOf(ViewSpec& spec, std::string_view key);
+
 /// Sets a setting by its key to a value as on a command line; several numbers or words have blanks between them. A
 /// usage error names the key, or lists the known keys. validate() checks the limits of numbers.
 Status setByKey(ViewSpec& spec, std::string_view key, const std::string& text);
 
-/// The name of a path: one of probe::PathKind, or "times".
+/// The name of a path: one of probe::PathKind without keyframes, or "times".
+std::vector<std::string> pathKindNames();
 Status setPathKind(SweepSpec& sweep, std::string_view name);
 std::string pathKindText(const SweepSpec& sweep);
 

@@ -20,8 +20,6 @@ namespace
 using nlohmann::json;
 using probe::JsonReader;
 
-constexpr std::size_t kMaxNumbers = 64; // offsets of a stack
-constexpr std::size_t kMaxWords = 64;   // surfaces in a picture
 constexpr std::size_t kMaxFiles = 100'000;
 
 bool isJson(const std::string& name)
@@ -35,6 +33,7 @@ struct Writer
 	const std::string& file;
 
 	json operator()(const std::string* text) const { return text->empty() ? json() : json(*text); }
+	json operator()(Bytes bytes) const { return *bytes.value; }
 	json operator()(const Text& text) const
 	{
 		const std::optional<std::string> words = text.get();
@@ -99,6 +98,7 @@ struct Reader
 	void operator()(double* number) const { *number = from.number(); }
 	void operator()(std::optional<double>* number) const { (*this)(&number->emplace()); }
 	void operator()(bool* flag) const { *flag = from.flag(); }
+	void operator()(Bytes bytes) const { *bytes.value = from.number(); }
 	void operator()(const Text& text) const
 	{
 		if (const Status set = text.set(from.text()); !set)
@@ -106,7 +106,7 @@ struct Reader
 	}
 	void operator()(const Texts& texts) const
 	{
-		from.expectArray(1, kMaxWords, "words");
+		from.expectArray(1, kMaxListed, "words");
 		std::vector<std::string> words;
 		for (std::size_t i = 0; i < from.size(); ++i)
 			words.push_back(from.at(i).text());
@@ -115,7 +115,7 @@ struct Reader
 	}
 	void operator()(const Numbers& list) const
 	{
-		from.expectArray(list.count ? list.count : 1, list.count ? list.count : kMaxNumbers, "numbers");
+		from.expectArray(list.count ? list.count : 1, list.count ? list.count : kMaxListed, "numbers");
 		std::vector<double> numbers;
 		for (std::size_t i = 0; i < from.size(); ++i)
 			numbers.push_back(from.at(i).number());

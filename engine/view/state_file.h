@@ -9,7 +9,7 @@ namespace vp::view
 {
 
 // Returns everything that a user set, except settings of the machine, as versioned JSON. docs/PROBES.md explains the
-// file; docs/state.schema.json describes it for programs.
+// file; state_schema.h describes it for programs.
 
 constexpr int kStateVersion = 1;
 

@@ -35,9 +35,7 @@ std::string surfaceSetting(const SurfaceSpec& surface)
 Status checkNumbers(const ViewSpec& spec)
 {
 	// The places of the list are read only.
-	ViewSpec& places = const_cast<ViewSpec&>(spec);
-	std::vector<Section> sections = sectionsOf(places);
-	sections.push_back(machineSection(places));
+	const std::vector<Section> sections = allSectionsOf(const_cast<ViewSpec&>(spec));
 	for (const Section& section : sections)
 		for (const Setting& setting : section.settings)
 			if (const std::string why = refusal(setting); !why.empty())

@@ -204,7 +204,8 @@ struct LookSpec
 	ColorBy color_by = ColorBy::array;
 	std::optional<std::pair<double, double>> range; // range of the colors, lower value first
 	RangeOf range_of = RangeOf::data;
-	bool symmetric = false; // the range of the colors is symmetric about 0
+	bool mark_out_of_range = false; // values outside the range get colors of their own
+	bool symmetric = false;         // the range of the colors is symmetric about 0
 	bool logarithmic = false;
 	double opacity = 1.0; // 0 to 1, for every sheet
 	int lines = 0;        // approximate number of contour lines, 0 to render::kMaxLevels

@@ -144,7 +144,7 @@ TEST_F(State, NothingIsSavedOfWhatFails)
 
 TEST_F(State, SchemaHasTheKeysOfAFile)
 {
-	const json schema = json::parse(contents(VPROBE_SOURCE_DIR "/docs/state.schema.json"));
+	const json schema = json::parse(run({"manual", "--schema"}).out);
 	for (const char* section : {"input", "probe", "look", "vectors", "contours", "sweep"})
 	{
 		const std::string file = write("s.json", std::string(R"({"version": 1, ")") + section + R"(": {"?": 1}})");

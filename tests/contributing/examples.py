@@ -5,7 +5,7 @@ usage: examples.py SOURCE_FOLDER BUILD_FOLDER SCRATCH_FOLDER [--build]
 
 A block with a file's name behind ```cpp is that file. A block with a name behind ```diff has a line that is there and,
 with a +, the line to put below it; spaces at the ends of lines do not count. Without --build each file that an example
-adds, and each that includes a list with a new line, is compiled by the commands of BUILD_FOLDER. With --build the
+adds or changes, and each that includes a list with a new line, is compiled by the commands of BUILD_FOLDER. With --build the
 program is built in the copy, and what the examples add is used.
 """
 import json
@@ -56,7 +56,7 @@ def compile_alone(source, build, copy, file):
 
 
 def use(program):
-    """The examples' subcommand counts, their color map is listed."""
+    """The examples' subcommand counts, their color map is listed, their setting is an option and a key."""
     counted = subprocess.run([program, 'count', 'demo:hexes:4'], check=True, capture_output=True, text=True).stdout
     if counted.strip() != '64':
         sys.exit(f'count printed {counted!r}')
@@ -64,6 +64,12 @@ def use(program):
                              capture_output=True, text=True).stderr
     if 'fire' not in refused:
         sys.exit(f'the color map is not listed: {refused}')
+    subprocess.run([program, 'slice', 'demo:hexes:4', '--no-rims', '--save', 'rims.json'], check=True)
+    if json.loads(pathlib.Path('rims.json').read_text())['look'].get('no_rims') is not True:
+        sys.exit('the setting is not kept')
+    schema = subprocess.run([program, 'manual', '--schema'], check=True, capture_output=True, text=True).stdout
+    if 'no_rims' not in schema:
+        sys.exit('the schema lacks the setting')
 
 
 def main():
@@ -77,8 +83,8 @@ def main():
     text = (source / 'CONTRIBUTING.md').read_text()
     added = blocks_of(text, 'cpp')
     changed = blocks_of(text, 'diff')
-    if len(added) != 3 or len(changed) != 3:
-        sys.exit(f'CONTRIBUTING.md has {len(added)} examples and {len(changed)} lines for lists; it should have 3 of each')
+    if len(added) != 3 or len(changed) != 6:
+        sys.exit(f'CONTRIBUTING.md adds {len(added)} files and {len(changed)} lines; it should be 3 and 6')
     for name, content in added:
         (copy / name).write_text(content)
     for name, patch in changed:
@@ -91,8 +97,8 @@ def main():
         use(copy / 'build/bin/vprobe')
         return
     files = [pathlib.Path(name) for name, _ in added]
-    for name, _ in changed:
-        listed = pathlib.Path(name)
+    files += [pathlib.Path(name) for name, _ in changed if name.endswith('.cpp')]
+    for listed in [pathlib.Path(name) for name, _ in changed if name.endswith(('list.h', 'sections.h', 'commands.h'))]:
         users = [path.relative_to(copy) for path in (copy / listed.parts[0]).rglob('*.cpp')
                  if f'/{listed.name}"' in path.read_text() and '#define VP_' in path.read_text()]
         if not users:

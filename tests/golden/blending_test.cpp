@@ -213,13 +213,23 @@ TEST_F(Blending, ColorsOutsideTheRange)
 		return u < 0.01 ? -1.0 : u < 0.71 ? 0.5 : 2.0;
 	};
 	scene.sheets.push_back(square(probe::makeSheet({0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}), kHalf, 1.0, f, 4));
-	const Picture picture = draw(scene);
+	Picture picture = draw(scene);
 	const auto at = [&](double u)
 	{
 		const glm::dvec2 place = scene.camera.project({u, 0.1, 0.0}, {90.0, 60.0, {}, {}, {}});
 		return picture.pixel(static_cast<std::uint32_t>(place.x), static_cast<std::uint32_t>(place.y));
 	};
 	const ColorMap& map = scene.look.colors;
+	EXPECT_LE(difference(rgb(map.nan), at(-1.2)), 1.0);
+	EXPECT_LE(difference(rgb(map.at(0.0)), at(0.15)), 1.0);
+	EXPECT_LE(difference(rgb(map.at(1.0)), at(1.3)), 1.0);
+	scene.look.bands = 4; // 0.2, 0.4, 0.6 and 0.8 are between them
+	picture = draw(scene);
+	EXPECT_LE(difference(rgb(map.at(0.1)), at(0.15)), 1.0);
+	EXPECT_LE(difference(rgb(map.at(0.9)), at(1.3)), 1.0);
+	scene.look.bands = 0;
+	scene.look.marks_out_of_range = true;
+	picture = draw(scene);
 	EXPECT_LE(difference(rgb(map.nan), at(-1.2)), 1.0);
 	EXPECT_LE(difference(rgb(map.nan), at(-0.1)), 1.0); // a polygon with a NaN has no value anywhere
 	EXPECT_LE(difference(rgb(map.below), at(0.15)), 1.0);

@@ -178,6 +178,7 @@ TEST_F(Flat, InfinityIsBeyondTheRange)
 		                                                            : p.x; },
 	                         windowed(4.0, 2.0));
 	flat.scene.values->below = flat.scene.values->above = true;
+	flat.scene.look.marks_out_of_range = true;
 	flat.scene.look.lines = 3;
 	flat.scene.look.labels = false;
 	const Picture picture = drawn(flat);
@@ -231,12 +232,17 @@ TEST_F(Flat, NanAndWhatIsBeyondTheRangeHaveTheirColors)
 	FlatScene flat = sceneOf([](const Vec3& p) { return p.y > 0.45 ? std::nan("") : p.x; }, windowed(4.0, 2.0));
 	flat.scene.look.range = {-1.0, 1.0};
 	flat.scene.values->has_nan = true;
+	const Picture plain = drawn(flat);
+	flat.scene.look.marks_out_of_range = true;
 	const Picture picture = drawn(flat);
 	const Box4 box = filledBox(picture, 350, 300);
 	const ColorMap map = makeColorMap("viridis").value();
 	EXPECT_LE(distance(picture, box.x0 + 20, box.y1 - 20, map.below), 2);
 	EXPECT_LE(distance(picture, box.x1 - 20, box.y1 - 20, map.above), 2);
 	EXPECT_LE(distance(picture, box.x1 - 20, box.y0 + 10, map.nan), 2);
+	EXPECT_LE(distance(plain, box.x0 + 20, box.y1 - 20, map.at(0.0)), 2);
+	EXPECT_LE(distance(plain, box.x1 - 20, box.y1 - 20, map.at(1.0)), 2);
+	EXPECT_LE(distance(plain, box.x1 - 20, box.y0 + 10, map.nan), 2);
 }
 
 TEST_F(Flat, LooksAsItDid)

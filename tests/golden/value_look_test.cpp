@@ -138,9 +138,13 @@ TEST_F(ValueLook, InfinityIsBeyondTheRange)
 	scene_.look.labels = false;
 	// Corners lie at multiples of 0.375.
 	show([](double u, double) { return u < -0.5 ? -kInfinity : u > 0.5 ? kInfinity : 0.5 + u; }, 8);
+	const Picture plain = draw(scene_);
+	scene_.look.marks_out_of_range = true;
 	const Picture picture = draw(scene_);
 	for (const double v : {-1.2, 0.1, 0.9})
 	{
+		EXPECT_LE(difference(rgb(scene_.look.colors.at(0.0)), at(plain, -1.0, v)), 1.0);
+		EXPECT_LE(difference(rgb(scene_.look.colors.at(1.0)), at(plain, 1.0, v)), 1.0);
 		EXPECT_LE(difference(rgb(scene_.look.colors.below), at(picture, -1.0, v)), 1.0);
 		EXPECT_LE(difference(rgb(scene_.look.colors.above), at(picture, 1.0, v)), 1.0);
 		EXPECT_LE(difference(rgb(scene_.look.colors.nan), at(picture, -0.55, v)), 1.0);
@@ -212,6 +216,9 @@ TEST_F(ValueLook, ALogarithmicScale)
 	scene_.values = ValueScale{"f", -1.5, 1.5, false, false, 0.01};
 	scene_.look.logarithmic = true;
 	scene_.look.samples = 1;
+	const Picture plain = draw(scene_);
+	EXPECT_LE(difference(rgb(scene_.look.colors.at(0.0)), at(plain, -0.7, 0.0)), 1.0);
+	scene_.look.marks_out_of_range = true;
 	const Picture picture = draw(scene_);
 	EXPECT_LE(difference(rgb(scene_.look.colors.below), at(picture, -0.7, 0.0)), 1.0);
 	for (const double value : {0.1, 0.4, 1.3})

@@ -222,7 +222,7 @@ void addCheck(CLI::App& program, Run& run)
 	CLI::App* command = program.add_subcommand(
 	    "check", "Look for faults of a grid: collapsed, inverted, twisted and overlapping cells, seams");
 	addInputs(*command, options->input);
-	addMachineOptions(*command, options->input);
+	addSettings(*command, options->input, "machine", Scope::no_cut);
 	command->add_flag("--json", options->json, "Write JSON for scripts");
 	command
 	    ->add_option("-o,--output", options->output,

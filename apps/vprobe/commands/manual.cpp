@@ -2,6 +2,7 @@
 #include "commands/commands.h"
 #include "read/read.h"
 #include "report/console.h"
+#include "view/state_schema.h"
 #include "write/atomic_file.h"
 
 #include <fmt/format.h>
@@ -22,6 +23,7 @@ struct ManualOptions
 	std::string pages;
 	std::string shell;
 	std::string input;
+	bool schema = false;
 };
 
 Status writePages(const CLI::App& program, const std::filesystem::path& folder)
@@ -68,6 +70,8 @@ Result<ExitCode> runManual(const ManualOptions& options)
 	if (!options.input.empty())
 		if (Status printed = printArrays(options.input); !printed)
 			return printed.error();
+	if (options.schema)
+		print("{}", view::stateSchema());
 	return ExitCode::done;
 }
 
@@ -85,11 +89,13 @@ void addManual(CLI::App& program, Run& run)
 	                         ->check(CLI::IsMember({"bash", "zsh"}));
 	CLI::Option* arrays =
 	    command->add_option("--arrays", options->input, "Print the names of an input's arrays")->type_name("INPUT");
+	CLI::Option* schema =
+	    command->add_flag("--schema", options->schema, "Print the JSON schema of the files that --save writes");
 	command->callback(
-	    [&run, options, pages, shell, arrays]
+	    [&run, options, pages, shell, arrays, schema]
 	    {
-		    if (pages->count() + shell->count() + arrays->count() == 0)
-			    throw CLI::RequiredError("One of --pages, --completion and --arrays");
+		    if (pages->count() + shell->count() + arrays->count() + schema->count() == 0)
+			    throw CLI::RequiredError("One of --pages, --completion, --arrays and --schema");
 		    run = [options] { return runManual(*options); };
 	    });
 }

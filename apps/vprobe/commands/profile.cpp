@@ -249,7 +249,7 @@ void addProfile(CLI::App& program, Run& run)
 	addInputs(*command, options->common)->required(false); // --state may name them
 	addProbeOptions(*command, options->common);
 	addExplain(*command, options->common);
-	addLookOptions(*command, options->common);
+	addSettings(*command, options->common, "look");
 	addStateOptions(*command, options->common);
 	const char* group = "Profile";
 	command->add_flag("--draw", options->draw, "Measure whole frames: draw every plane as well")->group(group);

@@ -135,10 +135,10 @@ void addRender(CLI::App& program, Run& run)
 	    ->type_name("FILE.png|-");
 	command->add_option("--stats", options->stats, "Write figures and times as JSON")->type_name("FILE|-");
 
-	addLookOptions(*command, options->common);
-	addVectorOptions(*command, options->common);
+	addSettings(*command, options->common, "look");
+	addSettings(*command, options->common, "vectors");
 	addVectorsOut(*command, options->vectors_out);
-	addContourOptions(*command, options->common);
+	addSettings(*command, options->common, "contours");
 	addStateOptions(*command, options->common);
 	command->callback([&run, options] { run = [options] { return runRender(*options); }; });
 }

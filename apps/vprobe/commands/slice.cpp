@@ -223,10 +223,10 @@ void addSlice(CLI::App& program, Run& run)
 	    ->check(CLI::Range(0, static_cast<int>(probe::kMaxSheets) - 1))
 	    ->type_name("K");
 	command->footer("With neither -o, --stats nor --vectors-out a short table is printed.");
-	addLookOptions(*command, options->common, LookScope::plane);
-	addVectorOptions(*command, options->common, LookScope::plane);
+	addSettings(*command, options->common, "look", Scope::flat);
+	addSettings(*command, options->common, "vectors", Scope::flat);
 	addVectorsOut(*command, options->vectors_out);
-	addContourOptions(*command, options->common);
+	addSettings(*command, options->common, "contours");
 	addStateOptions(*command, options->common);
 	command->callback([&run, options, command] { run = [options, command] { return runSlice(*options, *command); }; });
 }

@@ -188,10 +188,10 @@ void addSweep(CLI::App& program, Run& run)
 	addInputs(*command, options->common)->required(false); // --state may name them
 	addProbeOptions(*command, options->common);
 	addExplain(*command, options->common);
-	addLookOptions(*command, options->common);
-	addVectorOptions(*command, options->common);
-	addContourOptions(*command, options->common);
-	addPathOptions(*command, options->common);
+	addSettings(*command, options->common, "look");
+	addSettings(*command, options->common, "vectors");
+	addSettings(*command, options->common, "contours");
+	addSettings(*command, options->common, "sweep");
 	addStateOptions(*command, options->common);
 	const char* group = "Sweep";
 	command

@@ -68,10 +68,10 @@ void addView(CLI::App& program, Run& run)
 	CLI::App* command = program.add_subcommand("view", "Drag a probe through an input, in a window");
 	addInputs(*command, options->common)->required(false);
 	addProbeOptions(*command, options->common);
-	addLookOptions(*command, options->common);
-	addVectorOptions(*command, options->common);
-	addContourOptions(*command, options->common);
-	addPathOptions(*command, options->common);
+	addSettings(*command, options->common, "look");
+	addSettings(*command, options->common, "vectors");
+	addSettings(*command, options->common, "contours");
+	addSettings(*command, options->common, "sweep");
 	addStateOptions(*command, options->common);
 	command->add_flag("--list-bindings", options->list_bindings, "Print what the keys do; open no window");
 	command

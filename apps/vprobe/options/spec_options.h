@@ -3,8 +3,10 @@
 #include "base/result.h"
 #include "view/view_spec.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace CLI
 {
@@ -24,21 +26,20 @@ struct SpecOptions
 	std::optional<Error> wrong{}; // the first error in a value, a probe file, a path file or a state
 };
 
-// Each function adds a group of options to a command. Errors in values are kept in `wrong`, because the input may still
-// come from a state.
-CLI::Option* addInputs(CLI::App& command, SpecOptions& options);
-void addProbeOptions(CLI::App& command, SpecOptions& options); // adds the options of the machine too
-void addMachineOptions(CLI::App& command, SpecOptions& options);
-void addExplain(CLI::App& command, SpecOptions& options); // for commands that end with a cut
-enum class LookScope
+// Which options of a section a command has.
+enum class Scope : std::uint8_t
 {
-	space, // pictures in space take all options
-	plane  // flat pictures take only the options that have a meaning there
+	all,
+	flat,  // without those that have no meaning in a flat picture
+	no_cut // without those that say how cells are found
 };
-void addLookOptions(CLI::App& command, SpecOptions& options, LookScope scope = LookScope::space);
-void addVectorOptions(CLI::App& command, SpecOptions& options, LookScope scope = LookScope::space);
-void addContourOptions(CLI::App& command, SpecOptions& options);
-void addPathOptions(CLI::App& command, SpecOptions& options);
+
+// Adds the options of a section of the settings: input, probe, look, vectors, contours, sweep or machine. Errors in
+// values are kept in `wrong`, because the input may still come from a state.
+void addSettings(CLI::App& command, SpecOptions& options, std::string_view section, Scope scope = Scope::all);
+CLI::Option* addInputs(CLI::App& command, SpecOptions& options); // returns INPUT, which is required
+void addProbeOptions(CLI::App& command, SpecOptions& options);   // the probe, and the machine
+void addExplain(CLI::App& command, SpecOptions& options);        // for commands that end with a cut
 // Adds --save and --state. Options on the command line take precedence over the state file, in whatever order they
 // stand.
 void addStateOptions(CLI::App& command, SpecOptions& options);

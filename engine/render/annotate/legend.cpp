@@ -84,13 +84,13 @@ private:
 		std::vector<glm::dvec2> rim{bar_.lo};
 		if (style_.above)
 		{
-			pen_.filled({bar_.lo, top, {bar_.hi.x, bar_.lo.y}}, style_.colors->above);
+			pen_.filled({bar_.lo, top, {bar_.hi.x, bar_.lo.y}}, style_.aboveColor());
 			rim.push_back(top);
 		}
 		rim.insert(rim.end(), {{bar_.hi.x, bar_.lo.y}, bar_.hi});
 		if (style_.below)
 		{
-			pen_.filled({{bar_.lo.x, bar_.hi.y}, bar_.hi, bottom}, style_.colors->below);
+			pen_.filled({{bar_.lo.x, bar_.hi.y}, bar_.hi, bottom}, style_.belowColor());
 			rim.push_back(bottom);
 		}
 		rim.push_back({bar_.lo.x, bar_.hi.y});

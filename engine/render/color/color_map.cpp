@@ -85,13 +85,13 @@ const std::vector<std::string>& colorMapNames()
 
 Result<ColorMap> makeColorMap(std::string_view name)
 {
-	const auto found = std::ranges::find(kMaps, name, &NamedMap::name);
+	const auto found = std::ranges::find(kMaps, name == "gray" ? "grey" : name, &NamedMap::name);
 	if (found == kMaps.end())
 		return Error{ErrorKind::usage,
 		             fmt::format("`colormap`: there is no '{}'; take one of {}, or a FILE.json of ParaView's", name,
 		                         fmt::join(colorMapNames(), ", "))};
 	ColorMap map = found->make();
-	map.name = name;
+	map.name = found->name;
 	return map;
 }
 

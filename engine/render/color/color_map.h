@@ -39,9 +39,9 @@ struct Category
 	bool operator==(const Category&) const = default;
 };
 
-// The colors of values from the range's low end (0) to its high end (1), and of those that have no place in it: NaN is
-// magenta in every map of ours; values below and above, which a range of the user's can leave out, are tints that the
-// map does not hold. Alpha is an opacity by value, a factor on the sheet's.
+// The colors of values from the range's low end (0) to its high end (1), and of those that have no place in it. NaN is
+// magenta in every map of ours. Values outside the range have the colors of its ends; where they are marked, they have
+// tints that the map does not hold. Alpha is an opacity by value, a factor on the sheet's.
 struct ColorMap
 {
 	std::string name;
@@ -49,6 +49,8 @@ struct ColorMap
 	Color nan{217, 70, 160};
 	Color below{186, 217, 245};
 	Color above{255, 200, 182};
+	bool marks_below = false; // values below the range are always marked, as a preset asks for it
+	bool marks_above = false;
 	std::vector<Category> categories{}; // ascending values; where there are any, `colors` is not used
 
 	Color at(double t) const; // 0..1, linear between neighbors

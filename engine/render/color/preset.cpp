@@ -260,10 +260,12 @@ Result<ColorMap> colorMapOf(const json& preset)
 		return set.error();
 	if (Status set = takeColor(preset, "NanColor", map.nan); !set)
 		return set.error();
-	if (isOn(preset, "UseBelowRangeColor"))
+	map.marks_below = isOn(preset, "UseBelowRangeColor");
+	map.marks_above = isOn(preset, "UseAboveRangeColor");
+	if (map.marks_below)
 		if (Status set = takeColor(preset, "BelowRangeColor", map.below); !set)
 			return set.error();
-	if (isOn(preset, "UseAboveRangeColor"))
+	if (map.marks_above)
 		if (Status set = takeColor(preset, "AboveRangeColor", map.above); !set)
 			return set.error();
 	return map;

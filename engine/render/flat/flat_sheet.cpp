@@ -137,8 +137,8 @@ private:
 			                                                        : 0u);
 		}
 		const auto outlines = measure::groupOutlines(*flat_.mesh, points_, groups, 3);
-		fill(outlines[1], style_.colors->below, kSeam);
-		fill(outlines[2], style_.colors->above, kSeam);
+		fill(outlines[1], style_.belowColor(), kSeam);
+		fill(outlines[2], style_.aboveColor(), kSeam);
 	}
 
 	// Each area reaches over the next one, which is drawn over it: so no seam is left between them.

@@ -105,8 +105,8 @@ void setValues(shared::SheetParams& sheet, const ValueStyle& style, ColorTables&
 	sheet.level_count = static_cast<std::uint32_t>(style.lines.size());
 	sheet.levels = tables.add(scaled(style.lines, style));
 	sheet.nan_color = packed(map.nan);
-	sheet.below_color = packed(map.below);
-	sheet.above_color = packed(map.above);
+	sheet.below_color = packed(style.belowColor());
+	sheet.above_color = packed(style.aboveColor());
 }
 
 std::uint32_t featuresOf(const shared::SheetParams& sheet)

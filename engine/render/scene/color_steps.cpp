@@ -59,12 +59,12 @@ ColorSteps colorSteps(const ValueStyle& style, int steps)
 	if (style.below)
 	{
 		result.bounds.insert(result.bounds.begin(), style.lo);
-		result.colors.insert(result.colors.begin(), style.colors->below);
+		result.colors.insert(result.colors.begin(), style.belowColor());
 	}
 	if (style.above)
 	{
 		result.bounds.push_back(std::nextafter(style.hi, std::numeric_limits<double>::infinity()));
-		result.colors.push_back(style.colors->above);
+		result.colors.push_back(style.aboveColor());
 	}
 	return result;
 }

@@ -46,7 +46,7 @@ std::optional<Color> parseColor(std::string_view text)
 		return Color{255, 255, 255};
 	if (text == "black")
 		return Color{0, 0, 0};
-	if (text == "grey")
+	if (text == "grey" || text == "gray")
 		return Color{128, 128, 128};
 	return text.starts_with('#') ? colorFromHex(text.substr(1)) : std::nullopt;
 }

@@ -28,7 +28,7 @@ struct Background
 	bool operator==(const Background&) const = default;
 };
 
-// Returns the color of a text: `white`, `black`, `gray`, #RGB or #RRGGBB. Returns nothing for any other text.
+// Returns the color of a text: `white`, `black`, `grey` or `gray`, #RGB or #RRGGBB. Returns nothing for any other text.
 std::optional<Color> parseColor(std::string_view text);
 
 // Returns the background of a text: `gradient`, `white`, `black`, `gray`, `transparent`, #RGB or #RRGGBB. Any other
@@ -46,13 +46,13 @@ struct Look
 	std::uint32_t height = 720;
 	int samples = 8; // per pixel
 	ColorMap colors = makeColorMap("viridis").value();
-	std::optional<std::pair<double, double>>
-	    range; // range of the colors; values beyond it get their own colors; empty: the range of the data
-	bool logarithmic = false; // colors follow the logarithm of the values
-	int lines = 0;            // about this number of contour lines, at round values
-	int bands = 0;            // about this number of bounds between bands of one color, at round values
-	bool mesh = false;        // the polygons' edges
-	bool lit = false;         // sheets are darker if they are seen from the side
+	std::optional<std::pair<double, double>> range; // range of the colors; empty: the range of the data
+	bool marks_out_of_range = false; // values outside the range get colors of their own instead of those of its ends
+	bool logarithmic = false;        // colors follow the logarithm of the values
+	int lines = 0;                   // about this number of contour lines, at round values
+	int bands = 0;                   // about this number of bounds between bands of one color, at round values
+	bool mesh = false;               // the polygons' edges
+	bool lit = false;                // sheets are darker if they are seen from the side
 	Background background;
 	bool labels = true;       // values on contour lines
 	std::string length_units; // on axes, behind their names; empty: none

@@ -28,6 +28,7 @@ ValueStyle styleOf(const ColorMap& colors, const ValueScale& values, const Look&
 		style.lo = style.hi = 1.0; // nothing can be shown
 	style.above = range.has_value() || values.above;
 	style.below = range.has_value() || values.below || (style.logarithmic && values.lo <= 0.0);
+	style.marks = look.marks_out_of_range;
 	style.empty = values.empty && !range;
 	if (!colors.categories.empty())
 		return style;
@@ -45,6 +46,20 @@ bool looksAlike(const ValueStyle& a, const ValueStyle& b)
 }
 
 } // namespace
+
+Color ValueStyle::belowColor() const
+{
+	if (marks || colors->marks_below)
+		return colors->below;
+	return bands.empty() ? colors->colors.front() : bandColor(0);
+}
+
+Color ValueStyle::aboveColor() const
+{
+	if (marks || colors->marks_above)
+		return colors->above;
+	return bands.empty() ? colors->colors.back() : bandColor(bands.size());
+}
 
 Color ValueStyle::bandColor(std::size_t band) const
 {

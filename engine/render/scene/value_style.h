@@ -20,8 +20,9 @@ struct ValueStyle
 	double hi = 1.0;
 	bool logarithmic = false;
 	bool per_cell = false;     // values are constant in each polygon
-	bool below = false;        // values below lo have their own color
-	bool above = false;        // values above hi have their own color
+	bool below = false;        // there may be values below lo
+	bool above = false;        // there may be values above hi
+	bool marks = false;        // such values have the map's colors for them, not those of its ends
 	bool empty = false;        // there is no value, so lo and hi mean nothing
 	std::vector<double> lines; // values of the contour lines, ascending
 	std::vector<double> bands; // values between bands of color, ascending; empty: colors are continuous
@@ -29,6 +30,8 @@ struct ValueStyle
 	double scaled(double value) const { return logarithmic ? std::log10(value) : value; }
 	// Returns 0 at lo and 1 at hi. A constant gets the middle of the map.
 	double part(double value) const { return hi > lo ? (scaled(value) - scaled(lo)) / (scaled(hi) - scaled(lo)) : 0.5; }
+	Color belowColor() const; // color of values below lo
+	Color aboveColor() const;
 	Color bandColor(std::size_t band) const; // color in the middle of the band below bands[band], or above the last
 };
 

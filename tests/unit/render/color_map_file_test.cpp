@@ -52,6 +52,8 @@ TEST(ColorMapFile, PointsMakeAMap)
 	EXPECT_EQ(map.at(1.0), (Color{255, 0, 0}));
 	EXPECT_EQ(map.nan, (Color{51, 102, 153}));
 	EXPECT_EQ(map.below, (Color{0, 0, 0}));
+	EXPECT_TRUE(map.marks_below);
+	EXPECT_FALSE(map.marks_above); // so such values have the color of the high end
 	EXPECT_EQ(map.above, makeColorMap("viridis")->above);
 	EXPECT_TRUE(map.categories.empty());
 }

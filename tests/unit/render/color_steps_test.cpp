@@ -57,6 +57,14 @@ TEST(ColorSteps, BeyondTheRangeThereAreOthers)
 {
 	ValueStyle style = styleFor(kMap, 0.0, 1.0);
 	style.below = style.above = true;
+	const ColorSteps plain = colorSteps(style, 8);
+	EXPECT_EQ(plain.colors[plain.at(-1e-12)], kMap.at(0.0));
+	EXPECT_EQ(plain.colors[plain.at(1.0 + 1e-12)], kMap.at(1.0));
+	ValueStyle banded = style;
+	banded.bands = {0.5};
+	EXPECT_EQ(colorSteps(banded, 8).colors.front(), kMap.at(0.25));
+	EXPECT_EQ(colorSteps(banded, 8).colors.back(), kMap.at(0.75));
+	style.marks = true;
 	const ColorSteps steps = colorSteps(style, 8);
 	EXPECT_EQ(steps.colors[steps.at(-1e-12)], kMap.below);
 	EXPECT_EQ(steps.colors[steps.at(0.0)], kMap.at(0.5 / 8));

@@ -90,9 +90,7 @@ void showComponents(Desk& desk, const DatasetInfo::Array* now)
 
 void showSheetOpacity(Desk& desk)
 {
-	showSlider(desk, {.label = "Opacity"}, desk.document.state().look.opacity,
-	           "Of every sheet; several lie over each other in exact order",
-	           [](view::ViewSpec& state, double opacity) { state.look.opacity = opacity; });
+	showSlider(desk, {.label = "Opacity"}, "opacity");
 }
 
 void showLineCount(Desk& desk, Action action, const char* label, int view::LookSpec::*option)
@@ -123,8 +121,7 @@ void showColorSection(Desk& desk)
 	toggle(desk, "Cell edges", look.mesh, tipOf(Action::mesh),
 	       [](view::ViewSpec& state) { state.look.mesh = !state.look.mesh; });
 	ImGui::SameLine(0.0f, 2.0f * ImGui::GetStyle().ItemSpacing.x);
-	toggle(desk, "Lit", look.lit, "Shade the sheets: the more a sheet turns away from the light, the darker it is",
-	       [](view::ViewSpec& state) { state.look.lit = !state.look.lit; });
+	toggle(desk, "Lit", "lit");
 }
 
 } // namespace vp::app

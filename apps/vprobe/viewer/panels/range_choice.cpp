@@ -81,8 +81,7 @@ void showScaling(Desk& desk)
 {
 	const view::LookSpec& look = desk.document.state().look;
 	ImGui::BeginDisabled(look.logarithmic || look.range);
-	toggle(desk, "Symmetric about 0", look.symmetric, "The ends lie alike about 0, which has the middle color",
-	       [](view::ViewSpec& state) { state.look.symmetric = !state.look.symmetric; });
+	toggle(desk, "Symmetric about 0", "symmetric");
 	ImGui::EndDisabled();
 	toggle(desk, "Logarithmic", look.logarithmic,
 	       "Colors follow the values' logarithm; values of 0 and below have none",

@@ -67,9 +67,7 @@ void showDensity(Desk& desk)
 	if (ImGui::IsItemDeactivated())
 		desk.document.endMerge();
 	tip("Points on the longer side of a window, or of the cut");
-	showSlider(desk, {.label = "Jitter"}, desk.document.state().probe.vectors.jitter,
-	           "How far the points stray from their lattice",
-	           [](view::ViewSpec& state, double jitter) { state.probe.vectors.jitter = jitter; });
+	showSlider(desk, {.label = "Jitter"}, "vector_jitter");
 }
 
 // If the user sets no step, it follows from the lattice and the fastest particle.
@@ -112,14 +110,11 @@ void showVectorSection(Desk& desk)
 	           [](view::ViewSpec& state, double steps) { state.probe.vectors.steps = steps; });
 	showStep(desk);
 	if (desk.document.facts()->times.size() > 1)
-		toggle(desk, "Path lines", options.path_lines,
-		       "Particles go while the field changes from time to time, launched at the one that is shown",
-		       [](view::ViewSpec& state) { state.probe.vectors.path_lines = !state.probe.vectors.path_lines; });
+		toggle(desk, "Path lines", "path_lines");
 	showVectorChoice(desk, "Direction", kDirections, &view::VectorSpec::direction,
 	                 "With the flow, against it, or both");
 	showVectorChoice(desk, "Part", kParts, &view::VectorSpec::part, "What of the vector moves the particles");
-	showSlider(desk, {.label = "Opacity"}, desk.document.state().look.vectors.opacity, "Of what is launched",
-	           [](view::ViewSpec& state, double opacity) { state.look.vectors.opacity = opacity; });
+	showSlider(desk, {.label = "Opacity"}, "vector_opacity");
 }
 
 } // namespace vp::app

@@ -1,5 +1,7 @@
 #include "viewer/panels/widgets.h"
 
+#include "view/settings.h"
+
 #include "interact/steps.h"
 
 #include <fmt/format.h>
@@ -18,6 +20,12 @@ constexpr double kRestSeconds = 0.4;   // time until a tip appears
 constexpr double kPixelsAcross = 1000; // pixels of a drag across the whole data
 constexpr float kTipLetters = 40.0f;   // letters per line
 constexpr float kLabelPart = 0.36f;    // part of the line
+
+// Returns a setting of the state. Its place is read only.
+view::Setting shownSetting(const Desk& desk, const char* key)
+{
+	return view::settingOf(const_cast<view::ViewSpec&>(desk.document.state()), key);
+}
 
 } // namespace
 
@@ -101,6 +109,17 @@ void toggle(Desk& desk, const char* label, bool now, std::string_view words, con
 	tip(words);
 }
 
+void toggle(Desk& desk, const char* label, const char* key)
+{
+	const view::Setting setting = shownSetting(desk, key);
+	toggle(desk, label, *std::get<bool*>(setting.place), setting.help,
+	       [key](view::ViewSpec& state)
+	       {
+		       bool& value = *std::get<bool*>(view::settingOf(state, key).place);
+		       value = !value;
+	       });
+}
+
 void showChoice(Desk& desk, const char* label, std::span<const Choice> choices, const std::string& now,
                 std::string_view words, const std::function<void(view::ViewSpec& state, const char* word)>& set)
 {
@@ -133,6 +152,14 @@ void showSlider(Desk& desk, const Slide& slide, double now, std::string_view wor
 	if (ImGui::IsItemDeactivated())
 		desk.document.endMerge();
 	tip(words);
+}
+
+void showSlider(Desk& desk, const Slide& slide, const char* key)
+{
+	const view::Setting setting = shownSetting(desk, key);
+	showSlider(desk, slide, *std::get<double*>(setting.place), setting.help,
+	           [key](view::ViewSpec& state, double value)
+	           { *std::get<double*>(view::settingOf(state, key).place) = value; });
 }
 
 bool dragNumbers(Desk& desk, const Drag& drag, double* numbers, int count, std::string_view words)

@@ -35,6 +35,8 @@ void labeled(const char* label);
 
 // Shows a check box that changes the state.
 void toggle(Desk& desk, const char* label, bool now, std::string_view words, const Document::Edit& edit);
+// The same for a setting (view/settings.h) that is true or false. The tip is its help.
+void toggle(Desk& desk, const char* label, const char* key);
 
 // A word for an option, and the name that the user sees. A value that is none of these words is shown as it is.
 struct Choice
@@ -56,6 +58,8 @@ struct Slide
 };
 void showSlider(Desk& desk, const Slide& slide, double now, std::string_view words,
                 const std::function<void(view::ViewSpec& state, double value)>& set);
+// The same for a setting that is a number. The tip is its help.
+void showSlider(Desk& desk, const Slide& slide, const char* key);
 
 // Shows `count` numbers side by side. The user drags them, or types after a click. Returns true while they change. When
 // the change ends, so does its step of the history.
