@@ -32,7 +32,8 @@ Status checkCategories(const LookSpec& spec, const render::ColorMap& colors)
 Result<ResolvedLook> resolveLook(const ViewSpec& spec)
 {
 	const LookSpec& from = spec.look;
-	ResolvedLook resolved{.spec = from};
+	ResolvedLook resolved;
+	resolved.spec = from;
 	render::Look& look = resolved.look;
 	Result<render::ColorMap> colors = render::chooseColorMap(from.colormap);
 	if (!colors)

@@ -64,7 +64,7 @@ struct SchemaOf
 	ordered_json operator()(Files) const { return {{"type", "array"}, {"minItems", 1}, {"items", words()}}; }
 	ordered_json operator()(File) const { return words(); }
 	ordered_json operator()(NameOrFile) const { return words(); }
-	ordered_json operator()(ProbeChoice) const { return oneOf(wordsOf<ProbeShape>(), "probe.schema.json"); }
+	ordered_json operator()(ProbeChoice) const { return oneOf(view::wordsOf<ProbeShape>(), "probe.schema.json"); }
 	ordered_json operator()(PathChoice) const { return oneOf(pathKindNames(), "path.schema.json"); }
 };
 
