@@ -105,7 +105,8 @@ struct Names<ColorBy>
 template <>
 struct Names<RangeOf>
 {
-	static constexpr std::array kWords{std::pair{RangeOf::data, "data"}, std::pair{RangeOf::slice, "slice"}};
+	static constexpr std::array kWords{std::pair{RangeOf::automatic, "auto"}, std::pair{RangeOf::data, "data"},
+	                                   std::pair{RangeOf::slice, "slice"}};
 };
 template <>
 struct Names<AxesStyle>
