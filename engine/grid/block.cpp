@@ -99,6 +99,12 @@ Box BlockSet::bounds() const
 	return box;
 }
 
+Imaging BlockSet::imaging() const
+{
+	const auto is_same = [this](const Block& block) { return block.imaging == blocks.front().imaging; };
+	return !blocks.empty() && std::ranges::all_of(blocks, is_same) ? blocks.front().imaging : Imaging{};
+}
+
 const char* BlockSet::kind() const
 {
 	// In the order of AnyGrid.

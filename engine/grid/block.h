@@ -5,6 +5,7 @@
 #include "grid/block_tree.h"
 #include "grid/boundary.h"
 #include "grid/field.h"
+#include "grid/imaging.h"
 #include "grid/interfaces.h"
 #include "grid/lattice_cells.h"
 #include "grid/patches.h"
@@ -32,6 +33,7 @@ struct Block
 	AnyGrid grid;
 	std::vector<Field> fields;
 	std::string length_units{}; // units of the coordinates, as the file names them; mostly empty
+	Imaging imaging{};
 	// Identifies the coordinates and cells of the file. If two blocks of one input at two times have the same number,
 	// they have the same grid. 0: not known.
 	std::uint64_t geometry = 0;
@@ -94,6 +96,8 @@ struct BlockSet
 	std::size_t sourceCellCount() const;
 	std::size_t sourcePointCount() const;
 	Box bounds() const;
+	// Returns what the files say of a picture, if all say the same.
+	Imaging imaging() const;
 	// Returns "image", "rectilinear", "curvilinear" or "unstructured"; "block-structured" for several structured
 	// blocks; "hybrid" for a mixture.
 	const char* kind() const;

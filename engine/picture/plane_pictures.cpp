@@ -1,5 +1,6 @@
 #include "picture/plane_pictures.h"
 
+#include "picture/facing.h"
 #include "picture/sheet_looks.h"
 #include "picture/sheet_values.h"
 #include "write/frame_names.h"
@@ -36,6 +37,7 @@ Result<std::vector<std::string>> writePictures(const session::Session& session, 
 	if (!paths)
 		return paths;
 	const std::vector<render::Segment> outline = render::outlineOf(session.blocks(), look.look.outline);
+	const grid::Orientation orientation = grid::parseOrientation(session.blocks().imaging().orientation);
 	SheetLooks looks(session, look);
 	std::vector<render::FlatScene> flats;
 	for (std::size_t s = 0; s < sheets.size(); ++s)
@@ -54,7 +56,9 @@ Result<std::vector<std::string>> writePictures(const session::Session& session, 
 		flat.scene.look = looks.choice().look;
 		flat.scene.look.caption = caption(slice.sheets[s].sheet, *flat.scene.bounds);
 		flat.camera = look.spec.camera;
-		flat.content = slice.sheets[s].sheet;
+		flat.content = facingSheet(slice.sheets[s].sheet, orientation, session.spec().probe.up.has_value());
+		if (orientation.patient)
+			flat.sides = sidesOf(flat.content, *orientation.patient);
 		flat.mesh = &sheets[s].mesh;
 		flat.color_steps = write::colorSteps(*write::pictureFormatOf(output));
 		flat.values =

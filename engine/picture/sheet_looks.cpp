@@ -2,6 +2,7 @@
 
 #include "base/digits.h"
 #include "render/color/color_map_file.h"
+#include "session/scan_values.h"
 #include "session/value_scale.h"
 
 #include <fmt/format.h>
@@ -61,22 +62,31 @@ bool hasNan(const session::SheetStats& sheet)
 SheetLooks::SheetLooks(const session::Session& session, view::ResolvedLook choice)
     : session_(session), choice_(std::move(choice))
 {
-	takeLengthUnits();
+	takeFromFile();
 }
 
 void SheetLooks::setChoice(view::ResolvedLook choice)
 {
-	const bool same_scales =
-	    choice.look.logarithmic == choice_.look.logarithmic && choice.spec.units == choice_.spec.units;
+	const bool same_scales = choice.look.logarithmic == choice_.look.logarithmic &&
+	                         choice.spec.units == choice_.spec.units && choice.spec.range_of == choice_.spec.range_of &&
+	                         choice.spec.symmetric == choice_.spec.symmetric;
 	choice_ = std::move(choice);
-	takeLengthUnits();
+	takeFromFile();
 	if (!same_scales)
 		forgetScales();
 }
 
-// The file's, where all of it agrees.
-void SheetLooks::takeLengthUnits()
+bool SheetLooks::usesScanWindow() const
 {
+	return choice_.spec.range_of == view::RangeOf::automatic && !choice_.look.logarithmic && !choice_.spec.symmetric;
+}
+
+// Takes what the settings leave to the file: units where all of it agrees, and the colors of a scan.
+void SheetLooks::takeFromFile()
+{
+	if (choice_.spec.colormap.empty() && !choice_.byGeneration() &&
+	    session::beginsGray(session_.blocks(), session_.view().field))
+		choice_.look.colors = *render::makeColorMap("grey");
 	std::string& units = choice_.look.length_units;
 	const auto& blocks = session_.blocks().blocks;
 	if (units.empty() && !blocks.empty() &&
@@ -103,7 +113,7 @@ Result<std::optional<render::ValueScale>> SheetLooks::scaleOf(const std::optiona
 	auto known = std::ranges::find(scales_, field, [](const auto& scale) { return scale.first; });
 	if (known == scales_.end())
 	{
-		auto scale = session::valueScale(session_, field, choice_.look);
+		auto scale = session::valueScale(session_, field, choice_.look, usesScanWindow());
 		if (!scale)
 			return scale;
 		if (const std::string units = unitsOf(field); *scale && !units.empty())

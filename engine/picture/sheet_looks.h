@@ -35,7 +35,8 @@ public:
 private:
 	// Returns the scale of an array, with the ends that the look asks for. sheets: the sheets that show the array.
 	void chooseEnds(render::ValueScale& scale, std::span<const session::SheetStats* const> sheets) const;
-	void takeLengthUnits();
+	void takeFromFile();
+	bool usesScanWindow() const;
 	std::string unitsOf(const std::optional<grid::FieldChoice>& field) const;
 
 	const session::Session& session_;

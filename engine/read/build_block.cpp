@@ -13,6 +13,7 @@ grid::Block buildBlock(CheckedBlock&& checked, std::string name, bool identifies
 	block.name = std::move(name);
 	block.fields = std::move(checked.fields);
 	block.length_units = std::move(checked.length_units);
+	block.imaging = std::move(checked.imaging);
 	block.geometry = identifies_geometry ? geometryOf(checked) : 0;
 	block.arrays_left_out = std::move(checked.arrays_left_out);
 	block.hidden_lattice = checked.hidden_lattice;

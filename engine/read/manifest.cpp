@@ -50,6 +50,22 @@ Vec3 vectorOf(const json& value)
 	return {finiteOf(value[0]), finiteOf(value[1]), finiteOf(value[2])};
 }
 
+std::string wordsOf(const json& value);
+
+grid::Imaging imagingOf(const json& manifest)
+{
+	const json imaging = manifest.value("imaging", json::object());
+	grid::Imaging result{wordsOf(imaging.value("orientation", json(""))), imaging.value("gray", false)};
+	if (const auto window = imaging.find("window"); window != imaging.end())
+	{
+		const auto [lo, hi] = window->get<std::pair<double, double>>();
+		if (!(lo < hi) || !std::isfinite(hi - lo))
+			throw Unusable("a window of values is none");
+		result.window = {lo, hi};
+	}
+	return result;
+}
+
 std::string wordsOf(const json& value)
 {
 	std::string words = value.get<std::string>().substr(0, kMaxWords);
@@ -86,7 +102,10 @@ public:
 		input.left_out = countOf(manifest.at("left_out"));
 		checkBlocks(manifest.at("blocks"), input);
 		for (CheckedBlock& block : input.blocks)
+		{
 			block.length_units = wordsOf(manifest.value("length_units", json("")));
+			block.imaging = imagingOf(manifest);
+		}
 		checkParts(manifest, input);
 		if (!input.parts.empty())
 			takeParts(manifest.at("blocks"), input);

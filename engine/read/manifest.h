@@ -2,6 +2,7 @@
 
 #include "base/result.h"
 #include "grid/field.h"
+#include "grid/imaging.h"
 #include "grid/patches.h"
 #include "grid/points.h"
 #include "grid/structured.h"
@@ -37,6 +38,7 @@ struct CheckedBlock
 	std::variant<grid::UniformGrid, grid::RectilinearGrid, grid::CurvilinearGrid, CellMesh> mesh;
 	std::vector<grid::Field> fields;
 	std::string length_units{};
+	grid::Imaging imaging{};
 	std::optional<grid::Lattice> hidden_lattice; // see grid::Block
 	std::vector<std::string> arrays_left_out{};  // likewise
 	std::size_t part = 0;                        // index of the input's part, if parts were asked for

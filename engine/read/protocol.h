@@ -35,7 +35,8 @@ namespace vp::read
 //
 // An array is {"type": "float32" ..., "offset", "bytes"}. In "arrays" it also has "name", "association", "components"
 // and, if the file has them, "units". An array that nobody asked for has "left_out": true and no place. The manifest
-// has "length_units" and "time_units" if the file has them.
+// has "length_units" and "time_units" if the file has them; "imaging" is {"orientation", "gray", "window"}, each if the
+// file says it (grid/imaging.h).
 constexpr int kProtocolVersion = 9;
 constexpr int kArraysFd = 3;
 constexpr int kManifestFd = 4;

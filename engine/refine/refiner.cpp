@@ -39,6 +39,7 @@ grid::Block blockOf(const grid::Block& block, const CellKinds& kinds, const Part
 	grid::Block made;
 	made.name = block.name;
 	made.length_units = block.length_units;
+	made.imaging = block.imaging;
 	made.arrays_left_out = block.arrays_left_out;
 	made.grid = gridOf(parts, block.curved->points.size());
 	for (const grid::Field& field : block.fields)

@@ -197,7 +197,7 @@ bool cutAlike(view::ViewSpec a, const view::ViewSpec& b)
 	const bool in_generations = a.look.color_by == view::ColorBy::generation;
 	return a.probe == b.probe && a.input == b.input && a.machine == b.machine &&
 	       in_generations == (b.look.color_by == view::ColorBy::generation) &&
-	       (a.look.range_of == b.look.range_of || b.look.range_of == view::RangeOf::data); // of a slice: measured
+	       (a.look.range_of == b.look.range_of || b.look.range_of != view::RangeOf::slice); // of a slice: measured
 }
 
 /// Returns true if resolving the probe for the same blocks gives the same.

@@ -2,10 +2,12 @@
 
 #include "base/messages.h"
 #include "render/scene/least_positive.h"
+#include "session/scan_values.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace vp::session
 {
@@ -33,8 +35,9 @@ grid::ValueSpan spanOf(const Session& session, const grid::FieldChoice& field)
 	return session.ranks().sum(span, [](grid::ValueSpan& sum, const grid::ValueSpan& other) { sum.include(other); });
 }
 
-Result<std::optional<render::ValueScale>>
-valueScale(const Session& session, const std::optional<grid::FieldChoice>& field, const render::Look& look)
+Result<std::optional<render::ValueScale>> valueScale(const Session& session,
+                                                     const std::optional<grid::FieldChoice>& field,
+                                                     const render::Look& look, bool scan_window)
 {
 	const grid::BlockSet& blocks = session.blocks();
 	const char* needed = look.logarithmic ? "`log`" : look.lines > 0 ? "`lines`" : look.bands > 0 ? "`bands`" : nullptr;
@@ -52,6 +55,12 @@ valueScale(const Session& session, const std::optional<grid::FieldChoice>& field
 	scale.below = span.minus_infinity;
 	scale.above = span.plus_infinity;
 	scale.empty = span.empty();
+	if (const auto window = scan_window ? windowOfScan(session, *field, span) : std::nullopt)
+	{
+		std::tie(scale.lo, scale.hi) = *window;
+		scale.below = scale.below || lo < scale.lo;
+		scale.above = scale.above || hi > scale.hi;
+	}
 	if (!look.logarithmic)
 		return std::optional(scale);
 	scale.log_lo = session.ranks().sum(render::leastPositive(blocks, *field),

@@ -12,8 +12,10 @@ namespace vp::session
 grid::ValueSpan spanOf(const Session& session, const grid::FieldChoice& field);
 
 /// Returns the scale of an array, or nothing without an array. If the settings need values and the array has no
-/// suitable ones, returns an input error. Warns of values that a logarithm leaves out.
-Result<std::optional<render::ValueScale>>
-valueScale(const Session& session, const std::optional<grid::FieldChoice>& field, const render::Look& look);
+/// suitable ones, returns an input error. Warns of values that a logarithm leaves out. scan_window: the ends of a scan
+/// are those of its window (scan_values.h).
+Result<std::optional<render::ValueScale>> valueScale(const Session& session,
+                                                     const std::optional<grid::FieldChoice>& field,
+                                                     const render::Look& look, bool scan_window);
 
 } // namespace vp::session

@@ -35,7 +35,7 @@ Result<ResolvedLook> resolveLook(const ViewSpec& spec)
 	ResolvedLook resolved;
 	resolved.spec = from;
 	render::Look& look = resolved.look;
-	Result<render::ColorMap> colors = render::chooseColorMap(from.colormap);
+	Result<render::ColorMap> colors = render::chooseColorMap(from.colormap.empty() ? "viridis" : from.colormap);
 	if (!colors)
 		return colors.error();
 	look.colors = std::move(*colors);

@@ -67,8 +67,8 @@ Section probeSection(ProbeSpec& probe)
 	      "NAME|FILE.json"},
 	     {"origin", vector(&probe.origin), "Place of the probe's hot spot (default: the center of the bounds)",
 	      "X Y Z"},
-	     {"normal", direction(&probe.normal), "The probe's normal: x, y, z or three numbers (default: z)",
-	      "X Y Z|x|y|z"},
+	     {"normal", direction(&probe.normal), "The probe's normal: x, y, z, -x, -y, -z or three numbers (default: z)",
+	      "X Y Z|x|y|z|-x|-y|-z"},
 	     {"up", vector(&probe.up), "The probe's y axis, made perpendicular to the normal (default: 0 1 0)", "X Y Z"},
 	     {"window", pair(&probe.window),
 	      "Size of the sheets' windows along their x and y axes (default: the sheets cover the whole cut)", "W H"},
@@ -114,7 +114,7 @@ Section lookSection(LookSpec& look)
 	     {"colormap", NameOrFile{&look.colormap},
 	      fmt::format(
 	          "{}, or a file of ParaView's presets, with :PRESET where it holds several; NAME_r and FILE.json_r "
-	          "are the reverse",
+	          "are the reverse (default: grey for scans and images of small integers, otherwise viridis)",
 	          fmt::join(render::colorMapNames(), ", ")),
 	      kMapName},
 	     {"color_by", word(&look.color_by),
@@ -123,7 +123,8 @@ Section lookSection(LookSpec& look)
 	     {"range", pair(&look.range), "Values at the ends of the color map (default: those of the whole array)",
 	      "LO HI"},
 	     {"range_of", word(&look.range_of),
-	      "Range of the color map: the values of the whole array (data), or those that the sheets show (slice)"},
+	      "Range of the color map: the values of the whole array (data), or those that the sheets show (slice). auto: "
+	      "of a scan the window that the file names, or all but the outer 0.5 percent of its values; of others data"},
 	     {"window_level", windowLevel(&look.range),
 	      "The range of the colors as radiologists give it: its width, and the value in its middle", "W L"},
 	     {"mark_out_of_range", &look.mark_out_of_range,

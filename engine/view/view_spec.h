@@ -160,8 +160,9 @@ enum class ColorBy : std::uint8_t
 
 enum class RangeOf : std::uint8_t
 {
-	data, // the whole array
-	slice // what the sheets show
+	automatic, // the window of a scan, otherwise the whole array
+	data,      // the whole array
+	slice      // what the sheets show
 };
 
 enum class AxesStyle : std::uint8_t
@@ -199,11 +200,12 @@ struct ContourSpec
 struct LookSpec
 {
 	PictureSize size{};
-	int samples = 8;                  // per pixel, 1 to render::kMaxSamples
-	std::string colormap = "viridis"; // a name, or FILE.json[:PRESET]; a following _r reverses it
+	int samples = 8; // per pixel, 1 to render::kMaxSamples
+	// A name, or FILE.json[:PRESET]; a following _r reverses it. Empty: gray for scans, otherwise viridis.
+	std::string colormap;
 	ColorBy color_by = ColorBy::array;
 	std::optional<std::pair<double, double>> range; // range of the colors, lower value first
-	RangeOf range_of = RangeOf::data;
+	RangeOf range_of = RangeOf::automatic;
 	bool mark_out_of_range = false; // values outside the range get colors of their own
 	bool symmetric = false;         // the range of the colors is symmetric about 0
 	bool logarithmic = false;

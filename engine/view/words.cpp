@@ -30,18 +30,19 @@ Error noneOf(const std::vector<std::string>& words)
 
 Result<Vec3> parseDirection(std::string_view text)
 {
+	const bool is_opposite = text.starts_with('-');
 	for (int axis = 0; axis < 3; ++axis)
-		if (text.size() == 1 && text[0] == 'x' + axis)
+		if (const std::string_view name = text.substr(is_opposite ? 1 : 0); name.size() == 1 && name[0] == 'x' + axis)
 		{
 			Vec3 direction(0.0);
-			direction[axis] = 1.0;
+			direction[axis] = is_opposite ? -1.0 : 1.0;
 			return direction;
 		}
 	std::istringstream words{std::string(text)};
 	Vec3 direction;
 	std::string rest;
 	if (!(words >> direction.x >> direction.y >> direction.z) || words >> rest)
-		return Error{ErrorKind::usage, "takes x, y, z or three numbers"};
+		return Error{ErrorKind::usage, "takes x, y, z, -x, -y, -z or three numbers"};
 	if (direction == Vec3(0.0))
 		return Error{ErrorKind::usage,
 		             "a zero vector is no direction; give x, y, z or three numbers that are not all zero"};

@@ -105,7 +105,8 @@ struct Names<ColorBy>
 template <>
 struct Names<RangeOf>
 {
-	static constexpr std::array kWords{std::pair{RangeOf::data, "data"}, std::pair{RangeOf::slice, "slice"}};
+	static constexpr std::array kWords{std::pair{RangeOf::automatic, "auto"}, std::pair{RangeOf::data, "data"},
+	                                   std::pair{RangeOf::slice, "slice"}};
 };
 template <>
 struct Names<AxesStyle>
@@ -156,7 +157,7 @@ Result<T> parse(std::string_view text, T* = nullptr)
 	return noneOf(wordsOf<T>());
 }
 
-/// Three numbers that are not all zero, or x, y or z.
+/// Three numbers that are not all zero, or x, y, z, -x, -y or -z.
 Result<Vec3> parseDirection(std::string_view text);
 std::string directionText(const Vec3& direction); // three numbers, so that programs can read them
 

@@ -28,6 +28,7 @@ import far
 import meshes
 import models
 import odd
+import pictures
 import stacks
 import steps
 import volumes
@@ -36,7 +37,7 @@ import volumes
 def chosen_cases():
     cases = (meshes.CASES + volumes.CASES + boxes.CASES + codes.CASES + odd.CASES + steps.CASES + exodus.CASES +
              conversion.CASES + conventions.CASES + far.CASES + stacks.CASES + curved.CASES +
-             ensight.CASES + models.CASES + damage.CASES)
+             ensight.CASES + models.CASES + damage.CASES + pictures.CASES)
     wanted = sys.argv[2] if len(sys.argv) > 2 else '1/1'
     part = re.fullmatch(r'(\d+)/(\d+)', wanted)
     if not part:

@@ -399,6 +399,12 @@ std::string ManifestWriter::finish()
 	}
 	if (!length_units_.empty())
 		manifest["length_units"] = length_units_;
+	if (imaging_ != vp::grid::Imaging{})
+	{
+		json& imaging = manifest["imaging"] = {{"orientation", imaging_.orientation}, {"gray", imaging_.gray}};
+		if (imaging_.window)
+			imaging["window"] = {imaging_.window->first, imaging_.window->second};
+	}
 	if (!time_units_.empty() && !times_.empty())
 		manifest["time_units"] = time_units_;
 	// Names in files need not be UTF-8.

@@ -56,6 +56,7 @@ public:
 	void setPrefix(std::string prefix) { prefix_ = std::move(prefix); }
 	void offerTimes(std::vector<double> times) { times_ = std::move(times); }
 	void setLengthUnits(std::string units) { length_units_ = std::move(units); }
+	void setImaging(vp::grid::Imaging imaging) { imaging_ = std::move(imaging); }
 	void setTimeUnits(std::string units) { time_units_ = std::move(units); }
 	void warn(std::string line) { warnings_.push_back(std::move(line)); }
 
@@ -88,6 +89,7 @@ private:
 	std::vector<double> times_;
 	std::vector<std::string> warnings_;
 	std::string length_units_;
+	vp::grid::Imaging imaging_;
 	std::string time_units_;
 	CellCounts counts_;
 	nlohmann::json left_out_ = nlohmann::json::array();

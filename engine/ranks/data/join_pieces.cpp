@@ -191,6 +191,7 @@ grid::Block joinedBlock(Pieces pieces)
 	grid::Block joined;
 	joined.name = pieces[0].name;
 	joined.length_units = pieces[0].length_units;
+	joined.imaging = pieces[0].imaging;
 	joined.arrays_left_out = pieces[0].arrays_left_out;
 	joined.grid =
 	    grid::UnstructuredGrid::listed(is_double ? pointsOf<double>(pieces) : pointsOf<float>(pieces), cellsOf(pieces));

@@ -51,6 +51,12 @@ void put(MessageWriter& to, const grid::Block& block, std::size_t whole)
 		to.put(count);
 	to.put(block.name);
 	to.put(block.length_units);
+	to.put(block.imaging.orientation);
+	to.put(block.imaging.gray);
+	to.put(block.imaging.window.has_value());
+	const auto [lo, hi] = block.imaging.window.value_or(std::pair{0.0, 0.0});
+	to.put(lo);
+	to.put(hi);
 	to.put(block.arrays_left_out.size());
 	for (const std::string& name : block.arrays_left_out)
 		to.put(name);
@@ -76,6 +82,12 @@ Described described(MessageReader& from)
 		*count = from.get<std::size_t>();
 	block.block.name = from.getText();
 	block.block.length_units = from.getText();
+	block.block.imaging.orientation = from.getText();
+	block.block.imaging.gray = from.get<bool>();
+	const bool has_window = from.get<bool>();
+	const auto lo = from.get<double>(), hi = from.get<double>();
+	if (has_window)
+		block.block.imaging.window = {lo, hi};
 	for (auto left = from.get<std::size_t>(); left > 0; --left)
 		block.block.arrays_left_out.push_back(from.getText());
 	for (auto left = from.get<std::size_t>(); left > 0; --left)

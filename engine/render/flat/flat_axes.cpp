@@ -43,4 +43,16 @@ void drawFlatAxes(const FlatLayout& layout, CairoCanvas& pen)
 	               -1.5707963267948966, em, ink, {0, 0, 0, 0}, titleOf(upright));
 }
 
+void drawSides(const FlatScene& flat, const FlatLayout& layout, CairoCanvas& pen)
+{
+	const double size = 1.4 * pen.em();
+	const glm::dvec2 lo = layout.plot.lo + size, hi = layout.plot.hi - size;
+	const glm::dvec2 middle = 0.5 * (lo + hi);
+	const std::array places{glm::dvec2{lo.x, middle.y}, glm::dvec2{hi.x, middle.y}, glm::dvec2{middle.x, hi.y},
+	                        glm::dvec2{middle.x, lo.y}};
+	for (std::size_t i = 0; i < places.size(); ++i)
+		if (!flat.sides[i].empty())
+			pen.turnedText(places[i], 0.0, size, {255, 255, 255}, {0, 0, 0, 200}, flat.sides[i]);
+}
+
 } // namespace vp::render

@@ -17,6 +17,9 @@ void drawFlatSheet(const FlatScene& flat, const FlatLayout& layout, CairoCanvas&
 // Draws a frame around the plot, with numbers and the names of the axes.
 void drawFlatAxes(const FlatLayout& layout, CairoCanvas& pen);
 
+// Draws the letters at the rims of the plot, inside.
+void drawSides(const FlatScene& flat, const FlatLayout& layout, CairoCanvas& pen);
+
 // Draws the small view: where the sheet lies in the grid.
 void drawSmallView(const FlatScene& flat, const FlatLayout& layout, CairoCanvas& pen);
 

@@ -44,6 +44,7 @@ void drawFlat(const FlatScene& flat, cairo_t* context)
 	CairoCanvas pen(context, lettering, inksOn(look.background), text.em);
 	drawFlatSheet(flat, layout, pen);
 	drawFlatAxes(layout, pen);
+	drawSides(flat, layout, pen);
 	drawSmallView(flat, layout, pen);
 	writeTitles(look, layout.text, pen);
 	for (std::size_t i = 0; i < layout.text.legends.size(); ++i)

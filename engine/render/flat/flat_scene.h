@@ -3,6 +3,8 @@
 #include "mesh/sheet_mesh.h"
 #include "render/scene/scene.h"
 
+#include <array>
+#include <string>
 #include <vector>
 
 typedef struct _cairo cairo_t;
@@ -18,6 +20,7 @@ struct FlatScene
 	probe::Sheet content;
 	const mesh::SheetMesh* mesh = nullptr; // mesh of the content
 	SheetValues values;
+	std::array<std::string, 4> sides; // letters at the left, right, lower and upper rim; mostly empty
 	// The number of color steps over the range, if the look has no bands. At most 256, as in a color map. A file of
 	// polygons grows with it.
 	int color_steps = kColorMapSize;

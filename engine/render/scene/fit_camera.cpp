@@ -28,12 +28,16 @@ struct View
 
 // Turned from the sheet's normal by 30 degrees of azimuth and 20 of elevation about an upright z axis: the sheet is
 // seen almost face on, the outline's depth still shows. A level sheet is looked down on at 45 degrees, x to the right.
+// Of the two azimuths, the one is taken from which x and y lie more as usual.
 View obliqueView(const Vec3& sheet_normal)
 {
 	// The plane has no front: the eye stays above it.
 	const Vec3 n = sheet_normal.z < 0.0 ? -sheet_normal : sheet_normal;
 	const bool level = std::hypot(n.x, n.y) < 0.02;
-	const double azimuth = level ? -60.0 * kDegree : std::atan2(n.y, n.x) + 30.0 * kDegree;
+	const double usual = -60.0 * kDegree;
+	const double facing = std::atan2(n.y, n.x), turn = 30.0 * kDegree;
+	const bool turns_on = std::cos(facing + turn - usual) >= std::cos(facing - turn - usual);
+	const double azimuth = level ? usual : facing + (turns_on ? turn : -turn);
 	const double elevation = std::min(std::asin(std::min(n.z, 1.0)) + 20.0 * kDegree, 45.0 * kDegree);
 	return {directionOfAngles(azimuth, elevation), {0.0, 0.0, 1.0}};
 }

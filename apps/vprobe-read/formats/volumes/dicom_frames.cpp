@@ -70,6 +70,23 @@ void setSpacingOf(const DicomItem& root, DicomFrame& frame, DicomFrames& all)
 	}
 }
 
+// Its first window of values. A window in a frame's own group is that of the file too.
+std::optional<std::pair<double, double>> windowOf(const DicomItem& root)
+{
+	std::vector<DicomItem> places{root};
+	for (const Tag& groups : {Tag(0x5200, 0x9229), Tag(0x5200, 0x9230)})
+		if (const auto group = root.item(groups))
+			if (const auto lut = group->item(Tag(0x0028, 0x9132)))
+				places.push_back(*lut);
+	for (const DicomItem& item : places)
+	{
+		const auto center = item.hint(Tag(0x0028, 0x1050)), width = item.hint(Tag(0x0028, 0x1051));
+		if (center && width && *width > 0.0)
+			return std::pair{*center - 0.5 * *width, *center + 0.5 * *width};
+	}
+	return std::nullopt;
+}
+
 // What stands at the top of a file, for all of its frames.
 DicomFrame frameOf(const std::string& file, const DicomItem& root)
 {
@@ -195,6 +212,8 @@ void addFramesOf(const std::string& file, const DicomItem& root, DicomFrames& al
 		throw damaged(fmt::format("it says that it has {} frames", count));
 	const auto frames = std::max<std::size_t>(1, static_cast<std::size_t>(count));
 	const DicomFrame top = frameOf(file, root);
+	if (all.frames.empty())
+		all.window = windowOf(root);
 	if (!root.items(Tag(0x5200, 0x9230)).empty())
 		addEnhanced(top, root, frames, all);
 	else if (frames == 1)

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 class DicomItem;
@@ -45,8 +46,9 @@ struct DicomFrame
 struct DicomFrames
 {
 	std::vector<DicomFrame> frames;
-	std::vector<std::string> notes; // each once
-	bool has_units = true;          // whether places are in mm
+	std::vector<std::string> notes;                    // each once
+	bool has_units = true;                             // whether places are in mm
+	std::optional<std::pair<double, double>> window{}; // rescaled values that its first file shows black and white
 
 	void note(const std::string& line);
 };

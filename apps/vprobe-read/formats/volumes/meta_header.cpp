@@ -213,6 +213,8 @@ bool takeValue(MetaHeader& header, const std::string& key, const std::string& va
 		header.spacing = realsIn(key, value);
 	else if (key == "Offset" || key == "Position" || key == "Origin")
 		header.offset = realsIn(key, value);
+	else if (key == "AnatomicalOrientation")
+		header.orientation = value;
 	else if (key == "DistanceUnits")
 		header.units = value;
 	else if (key == "ElementToIntensityFunctionSlope")

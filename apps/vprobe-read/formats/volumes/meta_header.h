@@ -21,6 +21,7 @@ struct MetaHeader
 	std::vector<double> spacing;         // along each axis; may be negative; empty where the header gives none
 	std::vector<double> offset;          // of the first point; likewise
 	std::string units;                   // of lengths; mostly empty
+	std::string orientation;             // three letters, the sides from which the axes run; mostly empty
 	bool has_scale = false;              // a slope or offset that ITK does not apply
 	std::vector<std::string> data_files; // one after the other; empty: the data follow the header
 	std::uint64_t header_bytes = 0;

@@ -85,6 +85,24 @@ std::pair<double, double> rangeOf(const NrrdAxisInfo& axis)
 	return {spacing, first};
 }
 
+std::string orientationOf(int space)
+{
+	switch (space)
+	{
+	case nrrdSpaceRightAnteriorSuperior:
+	case nrrdSpaceRightAnteriorSuperiorTime:
+		return "RAS";
+	case nrrdSpaceLeftAnteriorSuperior:
+	case nrrdSpaceLeftAnteriorSuperiorTime:
+		return "LAS";
+	case nrrdSpaceLeftPosteriorSuperior:
+	case nrrdSpaceLeftPosteriorSuperiorTime:
+		return "LPS";
+	default:
+		return {};
+	}
+}
+
 void takeDirections(const Nrrd& nrrd, const NrrdAxes& axes, NrrdPlace& place)
 {
 	std::array<std::string, 3> units;
@@ -104,6 +122,7 @@ void takeDirections(const Nrrd& nrrd, const NrrdAxes& axes, NrrdPlace& place)
 		for (std::size_t row = 0; row < 3; ++row)
 			place.origin[row] = nrrd.spaceOrigin[row] * one.factors[row];
 	place.length_units = one.sign;
+	place.orientation = orientationOf(nrrd.space);
 	if (one.differ)
 		place.note = unitsDiffer(units);
 }

@@ -26,7 +26,8 @@ struct NrrdPlace
 	std::array<double, 3> spacing{1.0, 1.0, 1.0};
 	std::array<double, 9> direction{1, 0, 0, 0, 1, 0, 0, 0, 1}; // rows
 	std::string length_units;
-	std::string note; // for the user; mostly empty
+	std::string orientation; // as vp::grid::parseOrientation() takes it; mostly empty
+	std::string note;        // for the user; mostly empty
 };
 NrrdPlace nrrdPlace(const Nrrd& nrrd, const NrrdAxes& axes);
 

@@ -147,6 +147,8 @@ void readDicom(const Request& request, ManifestWriter& manifest)
 		manifest.warn(note);
 	if (all.has_units)
 		manifest.setLengthUnits("mm");
+	// Without a place of their own, frames are pictures one over the other.
+	manifest.setImaging({frames.front().has_place ? "LPS" : "rows-down", true, all.window});
 	if (steps.are_seconds)
 		manifest.setTimeUnits("s");
 	manifest.addLone(grid);

@@ -69,6 +69,9 @@ void placeMeta(const MetaHeader& header, vtkImageData* image, ManifestWriter& ma
 		throw damaged("its TransformMatrix makes no grid");
 	image->SetDirectionMatrix(d.data());
 	manifest.setLengthUnits(lengthSign(header.units));
+	// Where the header tells of a patient, the coordinates are ITK's: x to the left, y to the back, z to the head.
+	const bool is_patient = header.orientation.find_first_of("LRAPSI") != std::string::npos;
+	manifest.setImaging({is_patient ? "LPS" : "", true});
 }
 
 } // namespace

@@ -127,5 +127,6 @@ void readMinc(const Request& request, ManifestWriter& manifest)
 		}
 	const auto axis = std::ranges::find_if(volume.axes, isMincSpace);
 	manifest.setLengthUnits(axis == volume.axes.end() ? "" : axis->units);
+	manifest.setImaging({"RAS", true});
 	manifest.add(mincImage(volume, at));
 }

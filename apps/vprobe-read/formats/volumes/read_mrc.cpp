@@ -75,6 +75,7 @@ void readMrc(const Request& request, ManifestWriter& manifest)
 	image->SetOrigin(place.origin.data());
 	image->SetDirectionMatrix(place.direction.data());
 	manifest.setLengthUnits("Å");
+	manifest.setImaging({"", true});
 	manifest.addLone(image);
 	manifest.offerTimes(std::move(times));
 	if (header.volumes() > 1)

@@ -45,6 +45,7 @@ void readNpy(const Request& request, ManifestWriter& manifest)
 	if (!array)
 		throw Refusal("nothing to slice: an array without three axes");
 	const std::string name = std::filesystem::path(request.file).stem().string();
+	manifest.setImaging({"rows-down"});
 	manifest.addLone(imageOf(arrayOf(array->values, array->layout, name), array->layout.points));
 }
 
@@ -78,5 +79,6 @@ void readNpz(const Request& request, ManifestWriter& manifest)
 	}
 	if (!image)
 		throw Refusal("nothing to slice: no array with three axes");
+	manifest.setImaging({"rows-down"});
 	manifest.addLone(image);
 }

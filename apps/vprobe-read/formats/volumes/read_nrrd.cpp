@@ -162,6 +162,7 @@ void readNrrd(const Request& request, ManifestWriter& manifest)
 	if (!place.note.empty())
 		manifest.warn(place.note);
 	manifest.setLengthUnits(place.length_units);
+	manifest.setImaging({place.orientation, true});
 	manifest.setTimeUnits(nrrdTimeUnits(*nrrd, axes));
 	manifest.addLone(image);
 	manifest.offerTimes(std::move(times.times));

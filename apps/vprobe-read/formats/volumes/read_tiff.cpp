@@ -248,6 +248,7 @@ void readTiff(const Request& request, ManifestWriter& manifest)
 	image->SetOrigin(layout.origin.data());
 	manifest.setLengthUnits(layout.length_units);
 	manifest.setTimeUnits(layout.time_units);
+	manifest.setImaging({"rows-down", true});
 	manifest.addLone(image);
 	manifest.offerTimes(std::move(times.times));
 }

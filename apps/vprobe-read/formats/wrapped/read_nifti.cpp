@@ -46,6 +46,12 @@ std::string lengthUnitsOfCode(int code)
 	return (code & kOfSpace) < 4 ? names[code & kOfSpace] : "";
 }
 
+std::optional<std::pair<double, double>> windowOf(vtkNIFTIImageHeader& header)
+{
+	const double lo = header.GetCalMin(), hi = header.GetCalMax();
+	return lo < hi && std::isfinite(hi - lo) ? std::optional(std::pair{lo, hi}) : std::nullopt;
+}
+
 std::string timeUnitsOfCode(int code)
 {
 	switch (code & 0x38)
@@ -105,6 +111,7 @@ void readNifti(const Request& request, ManifestWriter& manifest)
 		image->SetOrigin(place->GetElement(0, 3), place->GetElement(1, 3), place->GetElement(2, 3));
 	}
 	manifest.setLengthUnits(lengthUnitsOfCode(reader->GetNIFTIHeader()->GetXYZTUnits()));
+	manifest.setImaging({"RAS", true, windowOf(*reader->GetNIFTIHeader())});
 	manifest.setTimeUnits(timeUnitsOfCode(reader->GetNIFTIHeader()->GetXYZTUnits()));
 	manifest.addLone(image);
 	manifest.offerTimes(std::move(times));

@@ -249,6 +249,7 @@ Result<bool> RenderThread::draw(PresentedFrame& shown, bool smooth)
 	shown.camera = scene->camera;
 	shown.frame = render::pictureFrame(*scene);
 	shown.values = scene->values;
+	shown.colormap = scene->look.colors.name;
 	if (Status pane = drawPane(shown, *scene); !pane)
 		return pane.error();
 	shown.draw_ms = millisecondsSince(start);

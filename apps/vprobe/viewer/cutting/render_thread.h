@@ -71,6 +71,7 @@ struct PresentedFrame
 	render::Camera camera;
 	render::Frame frame;
 	std::optional<render::ValueScale> values;
+	std::string colormap; // name of the map, also where the settings leave it to the file
 	struct Pane
 	{
 		std::shared_ptr<const gpu::Image> image;

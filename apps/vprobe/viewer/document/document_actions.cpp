@@ -179,7 +179,7 @@ bool Document::performOnLook(Action action)
 		    {
 			    const bool on = !state.look.range && state.look.range_of == view::RangeOf::slice;
 			    state.look.range.reset();
-			    state.look.range_of = on ? view::RangeOf::data : view::RangeOf::slice;
+			    state.look.range_of = on ? view::RangeOf::automatic : view::RangeOf::slice;
 		    });
 	case Action::mesh:
 		return edit([](view::ViewSpec& state) { state.look.mesh = !state.look.mesh; });

@@ -17,9 +17,10 @@ enum class Ends
 	fixed
 };
 constexpr std::array kEnds{"Whole data", "This slice", "Fixed"};
-constexpr std::array kEndsTips{"The colors' ends are the lowest and highest value of the whole array",
-                               "Those of what the sheets show, at every moment",
-                               "Two numbers of yours; values beyond them get tints of their own"};
+constexpr std::array kEndsTips{
+    "The colors' ends are the lowest and highest value of the whole array; of a scan, its window",
+    "Those of what the sheets show, at every moment",
+    "Two numbers of yours; values beyond them have the colors of the ends"};
 
 Ends endsOf(const view::LookSpec& look)
 {
@@ -47,7 +48,7 @@ void chooseEnds(Desk& desk, Ends ends)
 	    {
 		    view::LookSpec& look = state.look;
 		    look.range.reset();
-		    look.range_of = ends == Ends::slice ? view::RangeOf::slice : view::RangeOf::data;
+		    look.range_of = ends == Ends::slice ? view::RangeOf::slice : view::RangeOf::automatic;
 		    if (ends != Ends::fixed)
 			    return;
 		    const bool spans = shown[0] < shown[1];

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "grid/orientation.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace vp::grid
+{
+
+/// What a file of a scanner, a microscope or a camera says of how it is looked at. Pictures begin with it; no figure
+/// depends on it.
+struct Imaging
+{
+	std::string orientation{}; // how the coordinates lie, as parseOrientation() takes it; mostly empty
+	bool gray = false;         // its values are shown in gray, as in the field's own programs
+	std::optional<std::pair<double, double>> window{}; // the values that are black and white, low < high
+
+	bool operator==(const Imaging&) const = default;
+};
+
+} // namespace vp::grid
