@@ -8,7 +8,6 @@ materials of the cells, the only array of cells that meshio writes. What vprobe 
 written: meshio 5.3 cannot read its own files. VPROBE_LONG asks for 500 files. Exit code 77 where meshio or VTK's
 modules are missing.
 """
-import os
 import pathlib
 import random
 import subprocess
@@ -23,6 +22,8 @@ try:
 except ImportError as error:
     print(f'left out: {error}')
     sys.exit(77)
+
+from common import how_many
 
 VPROBE = sys.argv[1]
 CORNERS = {'hexahedron': (0, 1, 3, 2, 4, 5, 7, 6), 'wedge': (0, 1, 2, 4, 5, 6), 'tetra': (0, 1, 2, 4),
@@ -88,7 +89,7 @@ def compare(seed, folder):
 
 def main():
     first, count = (int(word) for word in sys.argv[2:4]) if len(sys.argv) > 3 else \
-        (1, 500 if 'VPROBE_LONG' in os.environ else 10)
+        (1, how_many(10))
     failed = 0
     for seed in range(first, first + count):
         with tempfile.TemporaryDirectory(prefix='vprobe-ucd-') as folder:

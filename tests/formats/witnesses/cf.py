@@ -9,7 +9,6 @@ VPROBE_LONG asks for 100 files of each kind. Exit code 77 where netCDF4 or VTK's
 
 Where vprobe follows the conventions and not netCDF4: bytes have no default fill value.
 """
-import os
 import pathlib
 import random
 import subprocess
@@ -25,6 +24,8 @@ try:
 except ImportError as error:
     print(f'left out: {error}')
     sys.exit(77)
+
+from common import how_many
 
 VPROBE = sys.argv[1]
 FORMS = ['NETCDF3_CLASSIC', 'NETCDF3_64BIT_OFFSET', 'NETCDF4', 'h5py', 'zarr']
@@ -262,7 +263,7 @@ def compare(seed, form, folder):
 def main():
     warnings.simplefilter('ignore')
     first, count = (int(word) for word in sys.argv[2:4]) if len(sys.argv) > 3 else \
-        (1, 100 if 'VPROBE_LONG' in os.environ else 4)
+        (1, how_many(4, 100))
     failed = 0
     for form in FORMS:
         done = 0

@@ -85,10 +85,16 @@ def lattice(counts, origin=(0, 0, 0), steps=None):
     return index @ steps + numpy.asarray(origin, float)
 
 
+def how_many(normal=20, many=500):
+    if 'VPROBE_LONG' in os.environ:
+        return many
+    every = int(os.environ.get('VPROBE_TRY_EVERY', 1))
+    return (normal + every - 1) // every
+
+
 def go_through(name, compare, normal=20, many=500):
-    """Calls compare(seed, folder) for all seeds; VPROBE_LONG asks for many."""
-    first, count = (int(word) for word in sys.argv[2:4]) if len(sys.argv) > 3 else \
-        (1, many if 'VPROBE_LONG' in os.environ else normal)
+    """Calls compare(seed, folder) for all seeds; VPROBE_LONG asks for many, VPROBE_TRY_EVERY for every so many."""
+    first, count = (int(word) for word in sys.argv[2:4]) if len(sys.argv) > 3 else (1, how_many(normal, many))
     done = failed = 0
     for seed in range(first, first + count):
         with tempfile.TemporaryDirectory(prefix='vprobe-witness-') as folder:

@@ -13,7 +13,6 @@ Where vprobe follows the standard and not pydicom: bits outside of BitsStored ar
 multiplied by DoseGridScaling.
 """
 import json
-import os
 import pathlib
 import random
 import shutil
@@ -35,6 +34,8 @@ try:
 except ImportError as error:
     print(f'left out: {error}')
     sys.exit(77)
+
+from common import how_many
 
 VPROBE = sys.argv[1]
 PLAIN = [ImplicitVRLittleEndian, ExplicitVRLittleEndian, ExplicitVRBigEndian, DeflatedExplicitVRLittleEndian]
@@ -589,7 +590,7 @@ def damaged_packing(folder):
 def main():
     warnings.simplefilter('ignore')
     first, count = (int(word) for word in sys.argv[2:4]) if len(sys.argv) > 3 else \
-        (1, 500 if 'VPROBE_LONG' in os.environ else 20)
+        (1, how_many())
     failed = 0
     for seed in range(first, first + count):
         with tempfile.TemporaryDirectory(prefix='vprobe-dicom-') as folder:

@@ -7,7 +7,6 @@ No library in Debian writes all of the format: these files are written by this s
 User Manual, and their values are known. EnSight 6 and Gold; text, C and Fortran binary of either byte order; ids;
 elements and blocks of every kind; several time sets and file sets; undefined and partial values. Seeds make the files. VPROBE_LONG asks for 500. Exit code 77 where VTK's module is missing.
 """
-import os
 import pathlib
 import random
 import struct
@@ -22,6 +21,8 @@ try:
 except ImportError as error:
     print(f'left out: {error}')
     sys.exit(77)
+
+from common import how_many
 
 VPROBE = sys.argv[1]
 NAN = float('nan')
@@ -424,7 +425,7 @@ def compare(seed, folder):
 
 def main():
     first, count = (int(word) for word in sys.argv[2:4]) if len(sys.argv) > 3 else \
-        (1, 500 if 'VPROBE_LONG' in os.environ else 20)
+        (1, how_many())
     failed = 0
     for seed in range(first, first + count):
         with tempfile.TemporaryDirectory(prefix='vprobe-ensight-') as folder:

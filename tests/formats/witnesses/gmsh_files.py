@@ -7,7 +7,6 @@ Written in versions 1, 2.2, 4.0 and 4.1, text and binary, of first and second or
 entities in several groups, and with views of nodes and elements at several times. VPROBE_LONG asks for 500 files. Exit
 code 77 where Gmsh's module or VTK's is missing.
 """
-import os
 import pathlib
 import random
 import subprocess
@@ -22,6 +21,8 @@ try:
 except ImportError as error:
     print(f'left out: {error}')
     sys.exit(77)
+
+from common import how_many
 
 VPROBE = sys.argv[1]
 # Gmsh's types of solid elements, and how many of their nodes VTK's cells have.
@@ -173,7 +174,7 @@ def compare(seed, folder):
 
 def main():
     first, count = (int(word) for word in sys.argv[2:4]) if len(sys.argv) > 3 else \
-        (1, 500 if 'VPROBE_LONG' in os.environ else 20)
+        (1, how_many())
     failed = 0
     for seed in range(first, first + count):
         gmsh.initialize(['gmsh', '-nopopup', '-v', '0'])

@@ -27,6 +27,8 @@ except ImportError as error:
     print(f'left out: {error}')
     sys.exit(77)
 
+from common import how_many
+
 VPROBE = sys.argv[1]
 LINEAR, CURVED = ('tetra', 'pyramid', 'wedge', 'hexahedron'), ('tetra10', 'hexahedron20')
 # Ending, options of meshio, types of cells, and whether vectors are kept.
@@ -157,7 +159,7 @@ def compare(seed, folder):
 def main():
     warnings.simplefilter('ignore')
     first, count = (int(word) for word in sys.argv[2:4]) if len(sys.argv) > 3 else \
-        (1, 500 if 'VPROBE_LONG' in os.environ else 20)
+        (1, how_many())
     failed = left = 0
     for seed in range(first, first + count):
         with tempfile.TemporaryDirectory(prefix='vprobe-meshes-') as folder:

@@ -11,7 +11,6 @@ where VTK's modules are missing.
 """
 import csv
 import io
-import os
 import pathlib
 import random
 import subprocess
@@ -29,6 +28,8 @@ try:
 except ImportError as error:
     print(f'left out: {error}')
     sys.exit(77)
+
+from common import how_many
 
 VPROBE = sys.argv[1]
 ENDINGS = {'image': '.vti', 'rectilinear': '.vtr', 'structured': '.vts', 'unstructured': '.vtu'}
@@ -300,7 +301,7 @@ def compare(seed, folder):
 def main():
     core.vtkObject.GlobalWarningDisplayOff()
     first, count = (int(word) for word in sys.argv[2:4]) if len(sys.argv) > 3 else \
-        (1, 500 if 'VPROBE_LONG' in os.environ else 20)
+        (1, how_many())
     failed = 0
     for seed in range(first, first + count):
         with tempfile.TemporaryDirectory(prefix='vprobe-vtk-') as folder:
