@@ -121,7 +121,7 @@ render::Camera zoomed(const View& view, const glm::dvec2& pixel, double factor, 
                       const std::optional<Vec3>& point)
 {
 	assert(factor > 0.0);
-	const double size = sizeOf(boxOf(scene));
+	const double size = render::farther(view.camera) * sizeOf(boxOf(scene));
 	const double now = depthOf(view, view.camera.focal_point);
 	const double wanted = std::clamp(now / factor, std::min(now, 1e-6 * size), std::max(now, 100.0 * size));
 	const Vec3 under = rayOf(view, pixel).at(depthFor(view, point));

@@ -34,6 +34,7 @@ Result<ResolvedLook> resolveLook(const ViewSpec& spec)
 	const LookSpec& from = spec.look;
 	ResolvedLook resolved;
 	resolved.spec = from;
+	resolved.spec.camera = render::projected(from.camera, from.projection);
 	render::Look& look = resolved.look;
 	Result<render::ColorMap> colors = render::chooseColorMap(from.colormap.empty() ? "viridis" : from.colormap);
 	if (!colors)

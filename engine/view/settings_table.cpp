@@ -142,6 +142,9 @@ Section lookSection(LookSpec& look)
 	      "The camera: auto (obliquely onto the sheet), x, -x, y, -y, z, -z, iso, sheet, azimuth and elevation in "
 	      "degrees, or nine numbers for position, focal point and up",
 	      "VIEW|AZ,EL|9 NUMBERS"},
+	     {"projection", word(&look.projection),
+	      "How the camera sees space. parallel: sizes do not change with the distance, and parallel lines stay "
+	      "parallel"},
 	     {"outline", word(&look.outline),
 	      "Lines around the sheets: the box of the data, the feature edges of its boundary, or none"},
 	     {"units", &look.units, "Units of the array, shown behind its name (default: those that the file names)",

@@ -216,6 +216,7 @@ struct LookSpec
 	bool lit = false;
 	render::Background background{};
 	render::CameraChoice camera{};
+	render::Projection projection = render::Projection::perspective;
 	render::Outline outline = render::Outline::box;
 	std::vector<ContextSpec> context{}; // surfaces around the sheets
 	AxesStyle axes = AxesStyle::corner;

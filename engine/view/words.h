@@ -115,6 +115,12 @@ struct Names<AxesStyle>
 	                                   std::pair{AxesStyle::none, "none"}};
 };
 template <>
+struct Names<render::Projection>
+{
+	static constexpr std::array kWords{std::pair{render::Projection::perspective, "perspective"},
+	                                   std::pair{render::Projection::parallel, "parallel"}};
+};
+template <>
 struct Names<render::Outline>
 {
 	static constexpr std::array kWords{std::pair{render::Outline::none, "none"}, std::pair{render::Outline::box, "box"},

@@ -9,11 +9,6 @@
 namespace vp::render
 {
 
-namespace
-{
-
-} // namespace
-
 Vec3 Camera::forward() const
 {
 	return glm::normalize(focal_point - position);

@@ -6,6 +6,7 @@
 
 #include <glm/mat4x4.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -25,6 +26,15 @@ struct Frame
 	std::optional<glm::dvec2> corner;
 };
 
+// The field of view of a perspective camera, degrees.
+constexpr double kUsualField = 25.0;
+
+enum class Projection : std::uint8_t
+{
+	perspective,
+	parallel // from so far away that lines which are parallel in space are so in the picture, to a part of a pixel
+};
+
 // A perspective view. Clip space is Vulkan's (y down), depth reversed without a far end: near / w, so that depth is
 // linear in the picture plane and loses nothing far away.
 struct Camera
@@ -32,7 +42,7 @@ struct Camera
 	Vec3 position{0.0, 0.0, 1.0};
 	Vec3 focal_point{0.0};
 	Vec3 up{0.0, 1.0, 0.0};
-	double vertical_field = 25.0; // field of view, degrees
+	double vertical_field = kUsualField; // field of view, degrees
 	double near = 1e-3;
 
 	Vec3 forward() const;
@@ -76,8 +86,15 @@ struct CameraChoice
 // not name the setting.
 Result<CameraChoice> parseCamera(std::string_view text);
 
-/// A camera that is not fitted to anything. Its text is read as the same camera again, to the last bit.
+/// A camera that is not fitted to anything. Its text is read as the same camera again, to the last bit. One of a
+/// parallel projection becomes the perspective camera that shows its focal point as large.
 CameraChoice fixedCamera(const Camera& camera);
+
+/// Returns the same choice in a projection. A fixed camera shows its focal point as large as in perspective.
+CameraChoice projected(CameraChoice choice, Projection projection);
+
+/// Returns how many times farther away a camera is than a perspective one that shows its focal point as large.
+double farther(const Camera& camera);
 
 // A camera whose picture of the points just fills the frame's free area. `sheet` may be null where there is none.
 Camera makeCamera(const CameraChoice& choice, const probe::Sheet* sheet, std::span<const Vec3> points,

@@ -16,6 +16,19 @@ namespace vp::render
 namespace
 {
 
+// A scene that fills the picture is some 2000 times its size away. So its front and its back differ by a part of a
+// pixel, and single precision still tells some 8000 depths of it apart.
+constexpr double kParallelField = 0.0286; // degrees
+
+// Moves the eye along its line of sight until this field of view shows the focal point as large as before.
+Camera withField(Camera camera, double field)
+{
+	const double before = std::tan(0.5 * camera.vertical_field * kDegree), after = std::tan(0.5 * field * kDegree);
+	camera.position = camera.focal_point + before / after * (camera.position - camera.focal_point);
+	camera.vertical_field = field;
+	return camera;
+}
+
 // Numbers between commas and blanks; none where anything else is among them.
 std::optional<std::vector<double>> numbersIn(const std::string& text)
 {
@@ -106,6 +119,18 @@ Result<CameraChoice> choiceOf(std::string_view text)
 
 } // namespace
 
+double farther(const Camera& camera)
+{
+	return std::tan(0.5 * kUsualField * kDegree) / std::tan(0.5 * camera.vertical_field * kDegree);
+}
+
+CameraChoice projected(CameraChoice choice, Projection projection)
+{
+	if (projection == Projection::parallel)
+		choice.camera = withField(choice.camera, kParallelField);
+	return choice;
+}
+
 Result<CameraChoice> parseCamera(std::string_view text)
 {
 	Result<CameraChoice> choice = choiceOf(text);
@@ -114,8 +139,9 @@ Result<CameraChoice> parseCamera(std::string_view text)
 	return choice;
 }
 
-CameraChoice fixedCamera(const Camera& camera)
+CameraChoice fixedCamera(const Camera& given)
 {
+	const Camera camera = given.vertical_field == kParallelField ? withField(given, kUsualField) : given;
 	const auto& [p, f, u] = std::tie(camera.position, camera.focal_point, camera.up);
 	CameraChoice choice;
 	choice.kind = CameraChoice::Kind::fixed;

@@ -77,6 +77,42 @@ TEST(Camera, FillsTheFreeArea)
 		}
 }
 
+TEST(Camera, ParallelProjection)
+{
+	const Frame frame = frameWithLegend();
+	const auto points = boxCorners({-1.0, -2.0, -3.0}, {1.0, 2.0, 3.0});
+	for (const char* text : {"x", "-y", "z", "auto", "iso", "30,20"})
+	{
+		const Camera camera = makeCamera(projected(choice(text), Projection::parallel), nullptr, points, frame);
+		const Extent extent = pictureOf(camera, points, frame);
+		const glm::dvec2 filled = (extent.hi - extent.lo) / (frame.free_hi - frame.free_lo);
+		EXPECT_GE(std::max(filled.x, filled.y), 0.98) << text;
+		// The four edges along each axis have the same length and direction in the picture.
+		for (const std::size_t axis : {1u, 2u, 4u})
+		{
+			const glm::dvec2 first = camera.project(points[axis], frame) - camera.project(points[0], frame);
+			for (std::size_t from = 0; from < 8; ++from)
+				if (!(from & axis))
+				{
+					const glm::dvec2 other =
+					    camera.project(points[from | axis], frame) - camera.project(points[from], frame);
+					EXPECT_LT(glm::length(other - first), 0.6) << text;
+				}
+		}
+	}
+	// A fixed camera shows its focal point as large, and its text is the one of perspective.
+	const CameraChoice fixed = choice("5,1,2,0,0,1,0,0,1");
+	const CameraChoice far = projected(fixed, Projection::parallel);
+	const double before =
+	    glm::length(fixed.camera.project({0.0, 0.01, 1.0}, frame) - fixed.camera.project({0.0, 0.0, 1.0}, frame));
+	const double after =
+	    glm::length(far.camera.project({0.0, 0.01, 1.0}, frame) - far.camera.project({0.0, 0.0, 1.0}, frame));
+	EXPECT_NEAR(after, before, 2e-3 * before);
+	EXPECT_GT(farther(far.camera), 500.0);
+	EXPECT_LT(glm::length(fixedCamera(far.camera).camera.position - fixed.camera.position), 1e-9);
+	EXPECT_EQ(projected(fixed, Projection::perspective).camera.position, fixed.camera.position);
+}
+
 TEST(Camera, LeavesTheCornerToTheAxes)
 {
 	Frame frame = frameWithLegend();

@@ -25,7 +25,7 @@ std::optional<render::Camera> cameraOf(const view::LookSpec& look)
 {
 	if (look.camera.kind != render::CameraChoice::Kind::fixed)
 		return std::nullopt;
-	return look.camera.camera;
+	return render::projected(look.camera, look.projection).camera;
 }
 
 } // namespace vp::app
