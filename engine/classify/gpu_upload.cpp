@@ -3,6 +3,7 @@
 #include "cases/case_table.h"
 #include "classify/gpu_points.h"
 #include "gpu/upload.h"
+#include "grid/shown_value.h"
 #include "mesh/mesh_records.h"
 #include "shared/classify_types.h"
 #include "shared/slice_types.h"
@@ -205,15 +206,18 @@ Result<GpuValues> uploadValues(gpu::Device& device, const grid::Block& block, co
 			                        [&](std::size_t i, float& texel)
 			                        { texel = mesh::drawnValue(field->value(source(i), choice.component)); });
 		const std::size_t width = made.tuple_texels;
+		// The shader takes the length of the tuple.
+		const auto weight = [&](int c) { return std::sqrt(grid::magnitudeWeight(field->components, c)); };
 		return makeArray<Tuple>(device, count * width, VK_FORMAT_R32G32B32A32_SFLOAT, name,
 		                        [&](std::size_t i, Tuple& texel)
 		                        {
 			                        const std::size_t at = source(i / width);
 			                        const int first = static_cast<int>(i % width) * 4;
 			                        for (int c = 0; c < 4; ++c)
-				                        texel[c] = first + c < field->components
-				                                       ? mesh::drawnValue(field->value(at, first + c))
-				                                       : 0.0f;
+				                        texel[c] =
+				                            first + c < field->components
+				                                ? mesh::drawnValue(weight(first + c) * field->value(at, first + c))
+				                                : 0.0f;
 		                        });
 	};
 	Result<gpu::ShaderArray> array = std::visit(upload, block.grid);

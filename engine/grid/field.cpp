@@ -1,6 +1,7 @@
 #include "grid/field.h"
 
 #include "grid/number_types.h"
+#include "grid/shown_value.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
@@ -173,7 +174,7 @@ ValueSpan valueSpan(const Field& field, int component)
 				for (std::size_t c = 0; c < width; ++c)
 				{
 					const double value = numberAt<T>(bytes, t * width + c);
-					square += value * value;
+					square += magnitudeWeight(field.components, static_cast<int>(c)) * value * value;
 				}
 				result.include(std::sqrt(square));
 			}

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -77,25 +78,66 @@ bool hasNumber(const grid::Field& field, int component)
 	return false;
 }
 
+// The names of all components of an array of several.
+std::string componentNames(int components)
+{
+	std::vector<std::string> names;
+	for (int c = 0; c < components; ++c)
+		names.push_back(componentName(c, components));
+	return components > 9 ? fmt::format("0 to {}", components - 1) : fmt::format("{}", fmt::join(names, ", "));
+}
+
+// A component of a tensor by its row and column, before the array is known.
+constexpr int tensorComponent(int row, int column)
+{
+	return grid::kMagnitude - 1 - 3 * row - column;
+}
+
+// Components of symmetric tensors, by row and column.
+constexpr std::array<std::array<int, 3>, 3> kSymmetric = {{{0, 3, 5}, {3, 1, 4}, {5, 4, 2}}};
+
 Result<int> chooseComponent(const grid::Field& field, std::optional<int> component)
 {
 	if (!component)
 		return field.components == 1 ? 0 : grid::kMagnitude;
-	if (*component >= field.components)
-		return Error{
-		    ErrorKind::usage,
-		    fmt::format("`component` {}: array {} has {} component{}; use {}", componentText(*component), field.name,
-		                field.components, field.components == 1 ? "" : "s",
-		                field.components == 1 ? "0" : fmt::format("0 to {} or magnitude", field.components - 1))};
-	return *component;
+	int chosen = *component;
+	if (chosen < grid::kMagnitude && (field.components == 6 || field.components == 9))
+	{
+		const int at = grid::kMagnitude - 1 - chosen;
+		chosen = field.components == 9 ? at : kSymmetric[at / 3][at % 3];
+	}
+	if (chosen == grid::kMagnitude || (chosen >= 0 && chosen < field.components && field.components > 1))
+		return chosen;
+	const std::string which = field.components == 1
+	                              ? "leave it out, or use magnitude for its absolute value"
+	                              : fmt::format("use {}, or magnitude", componentNames(field.components));
+	return Error{ErrorKind::usage,
+	             fmt::format("`component` {}: array {} has {} component{}; {}", componentText(*component), field.name,
+	                         field.components, field.components == 1 ? "" : "s", which)};
 }
 
 } // namespace
+
+std::string componentName(int component, int components)
+{
+	if (component == grid::kMagnitude)
+		return "magnitude";
+	if (components <= 3)
+		return std::string(1, "xyz"[component]);
+	if (components == 6 || components == 9)
+		for (int row = 0; row < 3; ++row)
+			for (int column = 0; column < 3; ++column)
+				if (component == (components == 9 ? 3 * row + column : kSymmetric[row][column]))
+					return {"xyz"[row], "xyz"[column]};
+	return fmt::to_string(component);
+}
 
 std::optional<int> parseComponent(std::string_view text)
 {
 	if (text == "magnitude")
 		return grid::kMagnitude;
+	if (text.size() == 2 && text.find_first_not_of("xyz") == text.npos)
+		return tensorComponent(text[0] - 'x', text[1] - 'x');
 	if (text == "x" || text == "y" || text == "z")
 		return text[0] - 'x';
 	int component = -1;
@@ -109,6 +151,8 @@ std::string componentText(int component)
 {
 	if (component == grid::kMagnitude)
 		return "magnitude";
+	if (component < grid::kMagnitude)
+		return componentName(grid::kMagnitude - 1 - component, 9);
 	return component < 3 ? std::string(1, "xyz"[component]) : fmt::to_string(component);
 }
 
@@ -131,10 +175,7 @@ std::string FieldChoice::title(const grid::BlockSet& blocks) const
 	const grid::Field* field = findField(blocks, name, association);
 	if (!field || (field->components == 1 && component == 0))
 		return name;
-	if (component == grid::kMagnitude)
-		return name + " magnitude";
-	return component < 3 && field->components <= 3 ? fmt::format("{} {}", name, "xyz"[component])
-	                                               : fmt::format("{} {}", name, component);
+	return fmt::format("{} {}", name, componentName(component, field->components));
 }
 
 Result<std::optional<FieldChoice>> chooseField(const grid::BlockSet& blocks, const std::string& array,

@@ -25,10 +25,14 @@ struct FieldChoice
 	std::string title(const grid::BlockSet& blocks) const; // "v magnitude", "v y", "s"
 };
 
-/// Returns the component that a text names: "magnitude", "x", "y", "z" or a number from 0. Returns nothing for any
-/// other text.
+/// Returns the component that a text names: "magnitude", "x", "y", "z", a number from 0, or "xx", "xy" and so on, which
+/// are numbers below kMagnitude until chooseField() knows the array. Returns nothing for any other text.
 std::optional<int> parseComponent(std::string_view text);
 std::string componentText(int component);
+
+/// Returns the name of a component of an array: "x" of a vector, "xy" of a tensor of six (xx yy zz xy yz xz) or nine
+/// components, else its number.
+std::string componentName(int component, int components);
 
 /// Returns the array with the given name. array: "[point:|cell:]NAME". An empty name means the first point array, else
 /// the first cell array, else none. component: nothing means the magnitude of a vector. If no block has the array,

@@ -7,6 +7,13 @@
 namespace vp::grid
 {
 
+// Returns how often the square of a component counts in the magnitude of a tuple. Six components are a symmetric
+// tensor, xx yy zz xy yz xz, whose last three stand for two each.
+constexpr double magnitudeWeight(int components, int c)
+{
+	return components == 6 && c >= 3 ? 2.0 : 1.0;
+}
+
 // Returns the shown number of a tuple. at(c) returns its components. component: 0.. or kMagnitude.
 template <class At>
 double shownValue(int components, int component, At&& at)
@@ -17,7 +24,7 @@ double shownValue(int components, int component, At&& at)
 		return std::abs(at(0));
 	double sum = 0.0;
 	for (int c = 0; c < components; ++c)
-		sum += at(c) * at(c);
+		sum += magnitudeWeight(components, c) * at(c) * at(c);
 	return std::sqrt(sum);
 }
 

@@ -1,5 +1,6 @@
 #include "vectors/trace_values.h"
 
+#include "grid/shown_value.h"
 #include "locate/interpolate.h"
 
 #include <tbb/parallel_for.h>
@@ -56,7 +57,7 @@ double shownValue(const grid::Block& block, const grid::Field& field, const loca
 		return componentAt(block, field, at, cell, shown);
 	double square = 0.0;
 	for (int c = 0; c < field.components; ++c)
-		square += std::pow(componentAt(block, field, at, cell, c), 2);
+		square += grid::magnitudeWeight(field.components, c) * std::pow(componentAt(block, field, at, cell, c), 2);
 	return std::sqrt(square);
 }
 

@@ -28,6 +28,26 @@ std::vector<grid::FieldChoice> vectorArrays(const grid::BlockSet& blocks)
 	return arrays;
 }
 
+std::string unitsOf(const grid::BlockSet& blocks, const grid::FieldChoice& array)
+{
+	for (const grid::Block& block : blocks.blocks)
+		if (const grid::Field* field = array.in(block))
+			return field->units;
+	return {};
+}
+
+// Returns the array that is the velocity by its name, else by its units, else the first.
+const grid::FieldChoice& usualVelocity(const grid::BlockSet& blocks, const std::vector<grid::FieldChoice>& arrays)
+{
+	for (const char* name : {"Velocity", "U", "velocity", "v", "V", "vel"})
+		if (const auto named = std::ranges::find(arrays, name, &grid::FieldChoice::name); named != arrays.end())
+			return *named;
+	for (const grid::FieldChoice& array : arrays)
+		if (const std::string units = unitsOf(blocks, array); units == "m/s" || units == "m s-1" || units == "m s^-1")
+			return array;
+	return arrays.front();
+}
+
 std::string listed(const std::vector<grid::FieldChoice>& arrays)
 {
 	std::vector<std::string> names;
@@ -52,7 +72,7 @@ Result<grid::FieldChoice> chooseVectors(const grid::BlockSet& blocks, const std:
 	if (array.empty() && arrays.empty())
 		return Error{ErrorKind::input, "`vectors`: the input has no array of three components"};
 	if (array.empty())
-		return arrays.front();
+		return usualVelocity(blocks, arrays);
 	Result<std::optional<grid::FieldChoice>> chosen = grid::chooseField(blocks, array);
 	if (!chosen)
 		return Error{ErrorKind::input, fmt::format("`vector_array` {}: no such array; arrays of three components: {}",

@@ -71,7 +71,8 @@ Text component(std::optional<int>* value)
 	        {
 		        const std::optional<int> parsed = grid::parseComponent(words);
 		        if (!parsed)
-			        return Error{ErrorKind::usage, "not a component; use magnitude, x, y, z or a number from 0"};
+			        return Error{ErrorKind::usage,
+			                     "not a component; use magnitude, x, y, z, xx, xy and so on, or a number from 0"};
 		        *value = *parsed;
 		        return Nothing{};
 	        }};

@@ -94,7 +94,9 @@ Section probeSection(ProbeSpec& probe)
 	     {"array", &probe.array, "Array to show (default: the first point array, else the first cell array)",
 	      kArrayName},
 	     {"component", component(&probe.component),
-	      "Component of a vector to show: a number from 0, x, y, z or magnitude (the default)", "N|x|y|z|magnitude"},
+	      "Component to show: magnitude (the default), x, y or z of a vector, xx, xy and so on of a tensor, or a "
+	      "number from 0",
+	      "N|x|y|z|xx|xy|...|magnitude"},
 	     {"threshold", pair(&probe.threshold),
 	      "Stop the traversal at cells whose values all lie below LO, or all above HI", "LO HI"},
 	     {"seeds", word(&probe.seeds),
@@ -186,7 +188,8 @@ Section vectorSection(VectorSpec& vectors, VectorLookSpec& look)
 	      "Launch particles from a lattice of points on each sheet, and draw their paths: tufts (arrows of one step), "
 	      "lines, ribbons (which turn with the flow) or tubes (docs/VECTORS.md)"},
 	     {"vector_array", &vectors.array,
-	      "Vector array that moves the particles (default: the first array of three components, point arrays first)",
+	      "Vector array that moves the particles (default: the velocity by its name or units, else the first array of "
+	      "three components, point arrays first)",
 	      kArrayName},
 	     {"vector_lattice", &vectors.lattice,
 	      fmt::format("Number of launch points along the longer side of a window, or of the cut if there is no window, "

@@ -80,10 +80,10 @@ enum class TraceKind : std::uint8_t
 struct VectorSpec
 {
 	std::optional<TraceKind> kind; // empty: nothing is launched
-	std::string array;             // an array of three components, "[point:|cell:]NAME"; empty: the first such array
-	int lattice = 20;              // points along the longer side of a window, 1 to kMaxLattice
-	double jitter = 0.0;           // 0 to 1: random shift of the points within their squares
-	std::optional<double> steps;   // 0 or more; if empty, it depends on the kind
+	std::string array;           // an array of three components, "[point:|cell:]NAME"; empty: vectors::chooseVectors()
+	int lattice = 20;            // points along the longer side of a window, 1 to kMaxLattice
+	double jitter = 0.0;         // 0 to 1: random shift of the points within their squares
+	std::optional<double> steps; // 0 or more; if empty, it depends on the kind
 	std::optional<double>
 	    dt; // time of a step, above 0; if empty, it follows from the fastest particle and the lattice's spacing
 	vectors::Direction direction = vectors::Direction::forward;

@@ -137,6 +137,24 @@ def med(folder):
     by_meshio(folder, 'mesh.med')
 
 
+def med_tensors(folder):
+    """Components of tensors have their places by their names, as code_aster writes them."""
+    meshio, numpy, h5py = need('meshio'), need('numpy'), need('h5py')
+    path = folder / 'tensor.med'
+    corners = [(i & 1, i >> 1 & 1, i >> 2) for i in (0, 1, 3, 2, 4, 5, 7, 6)]
+    mesh = meshio.Mesh(numpy.array(corners, float), [('hexahedron', [range(8)])],
+                       point_data={'s': numpy.tile(numpy.arange(1.0, 7.0), (8, 1))})
+    mesh.write(path)
+    for names, wanted in ((('SIXX', 'SIYY', 'SIZZ', 'SIXY', 'SIXZ', 'SIYZ'), dict(xx=1, yy=2, zz=3, xy=4, xz=5, yz=6)),
+                          (('XZ', 'YZ', 'XY', 'ZZ', 'YY', 'XX'), dict(xz=1, yz=2, xy=3, zz=4, yy=5, xx=6)),
+                          (('a', 'b', 'c', 'd', 'e', 'f'), dict(xx=1, yy=2, zz=3, xy=4, yz=5, xz=6))):
+        with h5py.File(path, 'r+') as file:
+            file['CHA/s'].attrs['NOM'] = numpy.bytes_(''.join(name.ljust(16) for name in names))
+        for component, value in wanted.items():
+            found = cut(path, 's', '--component', component)['mean']
+            assert near(found, value), (names, component, found)
+
+
 def gambit(folder):
     """After the GAMBIT User's Guide, appendix C."""
     meshio, numpy = need('meshio'), need('numpy')
@@ -206,5 +224,5 @@ def fluent(folder):
     assert near(ours[0], theirs[0]) and near(ours[1], theirs[1]), (ours, theirs)
 
 
-CASES = [gmsh_22_text, gmsh_22_binary, gmsh_41_text, gmsh_41_binary, gmsh_own, tecplot, avs_ucd, med, gambit, fluent,
+CASES = [gmsh_22_text, gmsh_22_binary, gmsh_41_text, gmsh_41_binary, gmsh_own, tecplot, avs_ucd, med, med_tensors, gambit, fluent,
          xdmf, xdmf_series, xdmf_lattice]

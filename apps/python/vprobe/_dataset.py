@@ -266,7 +266,7 @@ class Dataset:
         piece : Slice
             A plane sheet of this data set.
         array : str, optional
-            Of three components. By default the first such array.
+            Of three components. By default the velocity by its name or units, else the first such array.
         kind : str
             ``lines``, ``tufts``, ``ribbons`` or ``tubes``: how far they go, and how a picture draws them.
         **settings

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace vp::test
@@ -92,15 +93,55 @@ TEST(FieldChoice, RefusesWhatCannotBe)
 	expectError("cell:v", "", ErrorKind::input, "point:v");
 	expectError("v", "3", ErrorKind::usage, "`component` 3");
 	expectError("both", "y", ErrorKind::usage, "both");
+	expectError("both", "0", ErrorKind::usage, "leave it out");
+	expectError("v", "xy", ErrorKind::usage, "use x, y, z, or magnitude");
 }
 
 TEST(FieldChoice, ComponentsHaveWords)
 {
+	EXPECT_EQ(grid::componentText(*grid::parseComponent("zy")), "zy");
 	for (const int component : {grid::kMagnitude, 0, 1, 2, 3, 12})
 		EXPECT_EQ(grid::parseComponent(grid::componentText(component)), component);
 	EXPECT_EQ(grid::parseComponent("2"), 2);
 	for (const char* word : {"", "-1", "w", "1x", "99999999999"})
 		EXPECT_FALSE(grid::parseComponent(word)) << word;
+}
+
+// Six different numbers: each has its name, and the magnitude is that of the whole matrix, sqrt(1 + 4 + 9 + 2 (16 + 25
+// + 36)).
+TEST(FieldChoice, TensorsHaveRowsAndColumns)
+{
+	grid::BlockSet set;
+	std::vector<double> six, nine;
+	for (int point = 0; point < 8; ++point)
+		for (int c = 1; c <= 9; ++c)
+		{
+			if (c <= 6)
+				six.push_back(c); // xx 1, yy 2, zz 3, xy 4, yz 5, xz 6
+			nine.push_back(c);
+		}
+	set.blocks.push_back(blockWith(
+	    {grid::makeField("six", Association::point, 6, six), grid::makeField("nine", Association::point, 9, nine)}));
+	const auto chosen = [&](const char* array, const char* component)
+	{ return *grid::chooseField(set, array, grid::parseComponent(component)).value(); };
+	const auto shown = [&](const char* array, const char* component)
+	{
+		const grid::FieldChoice choice = chosen(array, component);
+		return grid::fieldRange(set, choice).first;
+	};
+	const char* const names[] = {"xx", "yy", "zz", "xy", "yz", "xz"};
+	for (int c = 0; c < 6; ++c)
+	{
+		EXPECT_EQ(shown("six", names[c]), c + 1.0) << names[c];
+		EXPECT_EQ(chosen("six", names[c]).title(set), std::string("six ") + names[c]);
+	}
+	EXPECT_EQ(shown("six", "yx"), 4.0); // it is symmetric
+	EXPECT_EQ(shown("six", "zy"), 5.0);
+	EXPECT_EQ(shown("nine", "xy"), 2.0);
+	EXPECT_EQ(shown("nine", "yx"), 4.0);
+	EXPECT_EQ(shown("nine", "zz"), 9.0);
+	EXPECT_DOUBLE_EQ(shown("six", "magnitude"), std::sqrt(1.0 + 4.0 + 9.0 + 2.0 * (16.0 + 25.0 + 36.0)));
+	EXPECT_DOUBLE_EQ(shown("nine", "magnitude"), std::sqrt(285.0));
 }
 
 TEST(FieldChoice, IsFoundInTheBlocksThatHaveIt)

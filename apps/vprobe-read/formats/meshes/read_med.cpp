@@ -21,6 +21,8 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -223,9 +225,30 @@ void readMedMesh(const Hdf5File& file, MedMesh& mesh, ManifestWriter& manifest)
 		manifest.warn("cells of MED's kind POE are not shown");
 }
 
+// Returns the place of each component in an array of ours. A symmetric tensor is xx yy zz xy yz xz there; in the file
+// the names of its components end with these letters, in any order, as code_aster's SIXX SIYY SIZZ SIXY SIXZ SIYZ.
+std::vector<int> medPlaces(const Hdf5File& file, const std::string& field, std::size_t components)
+{
+	constexpr std::size_t kNameLength = 16;
+	constexpr std::array<std::string_view, 6> tensor = {"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
+	std::vector<int> as_they_are(components), places;
+	std::iota(as_they_are.begin(), as_they_are.end(), 0);
+	const std::string names = components == tensor.size() ? file.textOr("/CHA/" + field, "NOM") : "";
+	for (std::size_t c = 0; c < components && c * kNameLength < names.size(); ++c)
+	{
+		std::string name = names.substr(c * kNameLength, kNameLength);
+		name.erase(name.find_last_not_of(std::string_view(" \0", 2)) + 1);
+		const auto found = std::ranges::find_if(tensor, [&](std::string_view end) { return name.ends_with(end); });
+		const auto place = static_cast<int>(found - tensor.begin());
+		if (found != tensor.end() && std::ranges::find(places, place) == places.end())
+			places.push_back(place);
+	}
+	return places.size() == components ? places : as_they_are;
+}
+
 // Copies values that lie component by component into a stretch of an array.
-void fillMed(const Hdf5File& file, const std::string& group, vtkDoubleArray* array, vtkIdType first, vtkIdType count,
-             ManifestWriter& manifest)
+void fillMed(const Hdf5File& file, const std::string& field, const std::string& group, vtkDoubleArray* array,
+             vtkIdType first, vtkIdType count, ManifestWriter& manifest)
 {
 	const std::vector<std::string> profiles = file.namesIn(group);
 	if (profiles.size() != 1 || profiles[0] != "MED_NO_PROFILE_INTERNAL")
@@ -239,9 +262,10 @@ void fillMed(const Hdf5File& file, const std::string& group, vtkDoubleArray* arr
 			return manifest.warn(fmt::format("{} has several values in a cell, which are left out", array->GetName()));
 		throw damaged(fmt::format("{} has {} values for {}", group, values.size(), tuples * components));
 	}
+	const std::vector<int> places = medPlaces(file, field, components);
 	for (std::size_t i = 0; i < tuples; ++i)
 		for (std::size_t c = 0; c < components; ++c)
-			array->SetTypedComponent(first + static_cast<vtkIdType>(i), static_cast<int>(c), values[c * tuples + i]);
+			array->SetTypedComponent(first + static_cast<vtkIdType>(i), places[c], values[c * tuples + i]);
 }
 
 vtkSmartPointer<vtkDoubleArray> medArray(const Hdf5File& file, const std::string& field, vtkIdType tuples)
@@ -268,7 +292,7 @@ void addMedField(const Hdf5File& file, const std::string& field, const std::stri
 	if (file.has(group + "NOE"))
 	{
 		const auto array = medArray(file, field, mesh.nodes);
-		fillMed(file, group + "NOE", array, 0, mesh.nodes, manifest);
+		fillMed(file, field, group + "NOE", array, 0, mesh.nodes, manifest);
 		mesh.grid->GetPointData()->AddArray(array);
 	}
 	vtkSmartPointer<vtkDoubleArray> of_cells;
@@ -277,7 +301,7 @@ void addMedField(const Hdf5File& file, const std::string& field, const std::stri
 		{
 			if (!of_cells)
 				of_cells = medArray(file, field, mesh.grid->GetNumberOfCells());
-			fillMed(file, part, of_cells, cells.first, cells.count, manifest);
+			fillMed(file, field, part, of_cells, cells.first, cells.count, manifest);
 		}
 	if (of_cells)
 		mesh.grid->GetCellData()->AddArray(of_cells);

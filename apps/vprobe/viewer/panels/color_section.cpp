@@ -57,24 +57,17 @@ void showArrays(Desk& desk, const DatasetInfo::Array* now)
 	                tipOf(Action::previous_array)));
 }
 
-std::string componentWord(int component, int components)
-{
-	return components <= 3                 ? grid::componentText(component)
-	       : component == grid::kMagnitude ? "magnitude"
-	                                       : fmt::to_string(component);
-}
-
 void showComponents(Desk& desk, const DatasetInfo::Array* now)
 {
 	if (!now || now->components < 2 || desk.document.state().look.color_by == view::ColorBy::generation)
 		return;
 	const int chosen = desk.document.state().probe.component.value_or(grid::kMagnitude);
 	labeled("Component");
-	if (ImGui::BeginCombo("##component", componentWord(chosen, now->components).c_str()))
+	if (ImGui::BeginCombo("##component", grid::componentName(chosen, now->components).c_str()))
 	{
 		for (int component = grid::kMagnitude; component < now->components; ++component)
 		{
-			const std::string each = componentWord(component, now->components);
+			const std::string each = grid::componentName(component, now->components);
 			if (ImGui::Selectable(each.c_str(), component == chosen))
 				desk.document.change(fmt::format("Component {}", each),
 				                     [&](view::ViewSpec& state)
