@@ -1,5 +1,6 @@
 #pragma once
 
+#include "grid/imaging.h"
 #include "read/protocol.h"
 #include "vprobe-read/arrays/array_writer.h"
 #include "vprobe-read/base/array_wish.h"
