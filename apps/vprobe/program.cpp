@@ -4,6 +4,7 @@
 #include "base/timeline.h"
 #include "interrupt.h"
 #include "options/arguments.h"
+#include "options/first_word.h"
 #include "report/console.h"
 #include "report/progress_line.h"
 #include "team.h"
@@ -112,14 +113,17 @@ int runProgram(const Program& program, int argc, char** argv)
 		add(app, run);
 
 	// CLI11 would say that a command is missing, not that this word is not a command.
-	const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
-	if (argc > 1 && argv[1][0] != '-' &&
-	    std::none_of(commands.begin(), commands.end(), [&](const CLI::App* c) { return c->get_name() == argv[1]; }))
-		return failed(program, fmt::format("{}: no such command; see {} --help", argv[1], program.name),
+	std::vector<std::string> commands;
+	for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+		commands.push_back(command->get_name());
+	const Result<std::vector<std::string>> arguments =
+	    withCommand({argv + 1, argv + argc}, commands, program.opens_files);
+	if (!arguments)
+		return failed(program, fmt::format("{}; see {} --help", arguments.error().message, program.name),
 		              ExitCode::usage);
 	try
 	{
-		app.parse(joinNumbers(argc, argv));
+		app.parse(joinNumbers(*arguments));
 	}
 	catch (const CLI::CallForHelp&)
 	{

@@ -17,6 +17,7 @@ struct Program
 	std::vector<void (*)(CLI::App& program, Run& run)> commands;
 	// Reports why the program ends: a line, and its exit code.
 	void (*fail)(const std::string& line, ExitCode code);
+	bool opens_files = false; // an input without a command is viewed, or rendered
 };
 
 // Reads the command line and runs the subcommand that it names. Returns the exit status.

@@ -9,10 +9,9 @@
 namespace vp::app
 {
 
-std::vector<std::string> joinNumbers(int argc, const char* const* argv)
+std::vector<std::string> joinNumbers(const std::vector<std::string>& given)
 {
 	static const std::map<std::string, std::ptrdiff_t> most{{"--normal", 3}, {"--camera", 9}};
-	const std::vector<std::string> given(argv + 1, argv + argc);
 	std::vector<std::string> arguments;
 	for (auto argument = given.begin(); argument != given.end();)
 	{
