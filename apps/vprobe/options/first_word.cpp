@@ -1,7 +1,5 @@
 #include "options/first_word.h"
 
-#include "base/messages.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,8 +12,6 @@ namespace vp::app
 
 namespace
 {
-
-namespace fs = std::filesystem;
 
 // Returns the least number of letters to add, remove or replace, where two neighbors that change places count once.
 std::size_t lettersApart(const std::string& a, const std::string& b)
@@ -40,7 +36,7 @@ std::size_t lettersApart(const std::string& a, const std::string& b)
 bool isInput(const std::string& word)
 {
 	std::error_code unknown;
-	return word.find_first_of("./") != word.npos || word.starts_with("demo:") || fs::exists(word, unknown);
+	return word.find_first_of("./") != word.npos || word.starts_with("demo:") || std::filesystem::exists(word, unknown);
 }
 
 bool hasDisplay()
@@ -49,19 +45,6 @@ bool hasDisplay()
 		if (const char* display = std::getenv(name); display && *display)
 			return true;
 	return false;
-}
-
-// Returns the name of the picture of an input: bluntfin.png of data/bluntfin.vts, demo-shell-8.png of demo:shell:8.
-std::string pictureOf(const std::string& input)
-{
-	std::string name = input;
-	if (input.starts_with("demo:"))
-		std::replace(name.begin(), name.end(), ':', '-');
-	else if (const fs::path path = fs::absolute(input).lexically_normal(); path.has_filename())
-		name = path.stem().string();
-	else
-		name = path.parent_path().filename().string(); // a folder
-	return name + ".png";
 }
 
 } // namespace
@@ -92,23 +75,7 @@ Result<std::vector<std::string>> withCommand(std::vector<std::string> arguments,
 		return Error{ErrorKind::usage, fmt::format("{}: no such command{}", first,
 		                                           nearest.empty() ? "" : fmt::format("; {} is one", nearest))};
 	}
-	if (hasDisplay())
-	{
-		arguments.insert(arguments.begin(), "view");
-		return arguments;
-	}
-	arguments.insert(arguments.begin(), "render");
-	if (std::find_if(arguments.begin(), arguments.end(),
-	                 [](const std::string& word)
-	                 { return word == "-o" || word.starts_with("--output"); }) != arguments.end())
-		return arguments;
-	const std::string picture = pictureOf(first);
-	if (std::error_code unknown; fs::exists(picture, unknown))
-		return Error{ErrorKind::usage, fmt::format("{}: exists, and there is no display for a window; name another "
-		                                           "picture with -o",
-		                                           picture)};
-	warn("there is no display for a window; drawing {}", picture);
-	arguments.insert(arguments.end(), {"-o", picture});
+	arguments.insert(arguments.begin(), hasDisplay() ? "view" : "render"); // which chooses a name for the picture
 	return arguments;
 }
 

@@ -64,18 +64,10 @@ TEST_F(FirstWord, CommandsAndOptionsStay)
 
 TEST_F(FirstWord, AnInputIsViewedOrDrawn)
 {
-	EXPECT_EQ(words({"data/a.b.vtu", "--mesh"}), (Words{"render", "data/a.b.vtu", "--mesh", "-o", "a.b.png"}));
-	EXPECT_EQ(words({"demo:shell:8"}), (Words{"render", "demo:shell:8", "-o", "demo-shell-8.png"}));
-	EXPECT_EQ(words({"a.vtu", "-o", "b.png"}), (Words{"render", "a.vtu", "-o", "b.png"}));
+	EXPECT_EQ(words({"data/a.b.vtu", "--mesh"}), (Words{"render", "data/a.b.vtu", "--mesh"}));
+	EXPECT_EQ(words({"demo:shell:8"}), (Words{"render", "demo:shell:8"}));
 	showDisplay(true);
 	EXPECT_EQ(words({"a.vtu", "--mesh"}), (Words{"view", "a.vtu", "--mesh"}));
-}
-
-TEST_F(FirstWord, NoPictureIsReplaced)
-{
-	std::ofstream("a.png") << "mine";
-	EXPECT_NE(refused({"a.vtu"}).find("a.png: exists"), std::string::npos);
-	EXPECT_EQ(words({"a.vtu", "-o", "a.png"}).front(), "render"); // who names it means it
 }
 
 TEST_F(FirstWord, AMistypedCommandGetsTheNearestName)
@@ -84,7 +76,7 @@ TEST_F(FirstWord, AMistypedCommandGetsTheNearestName)
 	EXPECT_EQ(refused({"rendr"}), "rendr: no such command; render is one");
 	EXPECT_EQ(refused({"xyzzy"}), "xyzzy: no such command");
 	std::ofstream("data") << "a file without an ending";
-	EXPECT_EQ(words({"data"}), (Words{"render", "data", "-o", "data.png"}));
+	EXPECT_EQ(words({"data"}), (Words{"render", "data"}));
 	EXPECT_FALSE(app::withCommand({"a.vtu"}, kCommands, false)); // of vprobe-mpi
 }
 
