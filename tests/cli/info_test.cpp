@@ -36,6 +36,17 @@ TEST_F(Info, HasAsManyDigitsAsTheWidthNeeds)
 	    << outcome.out;
 }
 
+TEST_F(Info, TellsTheLatticeOfAnImage)
+{
+	const std::string image = write("i.vtk", legacyImage());
+	EXPECT_TRUE(contains(run({"info", image}).out, "        4 x 4 x 4 points, 1 x 1 x 1 apart\n"));
+	const nlohmann::json block = run({"info", image, "--json"}).json()["blocks"][0];
+	EXPECT_EQ(block["lattice"], (nlohmann::json{4, 4, 4}));
+	EXPECT_EQ(block["spacing"], (nlohmann::json{1.0, 1.0, 1.0}));
+	EXPECT_TRUE(contains(run({"info", "demo:shell:8"}).out, "        9 x 9 x 9 points\n"));
+	EXPECT_FALSE(contains(run({"info", "demo:tets:4"}).out, " x 4 points"));
+}
+
 TEST_F(Info, JsonKeepsItsKeys)
 {
 	const Outcome outcome = run({"info", "demo:shell:8", "--json"});

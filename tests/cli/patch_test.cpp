@@ -59,6 +59,9 @@ TEST_F(PatchOfAFile, IsShownWithItsValues)
 	EXPECT_EQ(walls["vertices"], 8);
 	EXPECT_EQ(walls["cut_cells"], 1);
 	EXPECT_NEAR(walls["area"], 5.0, 1e-12);
+	const std::string told = run({"info", file}).out;
+	EXPECT_TRUE(contains(told, "patch   inlet: 1 faces\n")) << told;
+	EXPECT_TRUE(contains(told, "patch   walls: ")) << told;
 	EXPECT_NEAR(stats({file, "--surface", "patch=hot"}).at("sheets").at(0)["area"], 5.0, 1e-12); // a group of patches
 	EXPECT_TRUE(isQuiet(run({"slice", file, "--surface", "patch=walls", "-o", path("walls.vtp")})));
 	// Runs that do not ask for patches read the file as before.

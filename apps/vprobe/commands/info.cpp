@@ -16,9 +16,13 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <type_traits>
+#include <variant>
 
 namespace vp::app
 {
@@ -71,6 +75,27 @@ std::string lengthUnits(const grid::BlockSet& blocks)
 	                                                                             : std::string();
 }
 
+// The points of a structured block, and the distance of those of an image.
+struct LatticeFacts
+{
+	std::array<std::uint32_t, 3> points{};
+	std::optional<Vec3> spacing;
+};
+
+std::optional<LatticeFacts> latticeOf(const grid::Block& block)
+{
+	const auto facts = [](const auto& grid) -> std::optional<LatticeFacts>
+	{
+		if constexpr (std::is_base_of_v<grid::Lattice, std::decay_t<decltype(grid)>>)
+			return LatticeFacts{grid.points(), std::nullopt};
+		return std::nullopt;
+	};
+	std::optional<LatticeFacts> found = std::visit(facts, block.grid);
+	if (const auto* image = std::get_if<grid::UniformGrid>(&block.grid))
+		found->spacing = image->pointAt(1, 1, 1) - image->pointAt(0, 0, 0);
+	return found;
+}
+
 nlohmann::json infoJson(const grid::BlockSet& blocks)
 {
 	nlohmann::json arrays = nlohmann::json::array();
@@ -87,8 +112,18 @@ nlohmann::json infoJson(const grid::BlockSet& blocks)
 		const auto [cells, points] = std::visit(
 		    [](const auto& grid) { return std::pair<std::size_t, std::size_t>(grid.cellCount(), grid.pointCount()); },
 		    block.grid);
-		block_list.push_back({{"name", block.name}, {"cells", cells}, {"points", points}});
+		nlohmann::json& each =
+		    block_list.emplace_back(nlohmann::json{{"name", block.name}, {"cells", cells}, {"points", points}});
+		if (const auto lattice = latticeOf(block))
+		{
+			each["lattice"] = lattice->points;
+			if (const auto& spacing = lattice->spacing)
+				each["spacing"] = {spacing->x, spacing->y, spacing->z};
+		}
 	}
+	nlohmann::json patches = nlohmann::json::array();
+	for (const grid::Patch& patch : blocks.patches)
+		patches.push_back({{"name", patch.name}, {"faces", patch.faces.size()}});
 	nlohmann::json interfaces = nlohmann::json::array();
 	for (const grid::Interface& interface : blocks.interfaces.interfaces)
 		interfaces.push_back({{"blocks", {interface.a, interface.b}}, {"faces", interface.faces}});
@@ -113,6 +148,8 @@ nlohmann::json infoJson(const grid::BlockSet& blocks)
 	        {"blocks", block_list},
 	        {"interfaces", interfaces},
 	        {"overlaps", overlaps},
+	        {"patches", patches},
+	        {"orientation", blocks.imaging().orientation},
 	        {"overlap_pairs", {{"near", found.near}, {"looked_at", found.looked_at}}},
 	        {"seam_faces", blocks.interfaces.seam_faces},
 	        {"boundary_faces", blocks.interfaces.boundary_faces},
@@ -165,14 +202,42 @@ void printMore(std::size_t all)
 		print("        and {} more; --json lists all\n", all - kMaxPrinted);
 }
 
+// "11 x 11 x 5 points, 0.5 x 0.5 x 2 apart" of a structured block.
+std::string latticeWords(const grid::Block& block)
+{
+	const auto lattice = latticeOf(block);
+	if (!lattice)
+		return {};
+	const std::string counts = fmt::format("{} points", fmt::join(lattice->points, " x "));
+	if (!lattice->spacing)
+		return counts;
+	const Vec3& apart = *lattice->spacing;
+	return fmt::format("{}, {:.7g} x {:.7g} x {:.7g} apart", counts, apart.x, apart.y, apart.z);
+}
+
 void printBlocks(const grid::BlockSet& blocks)
 {
 	if (blocks.blocks.size() == 1)
+	{
+		if (const std::string lattice = latticeWords(blocks.blocks[0]); !lattice.empty())
+			print("        {}\n", lattice);
 		return;
+	}
 	for (std::size_t b = 0; b < std::min(kMaxPrinted, blocks.blocks.size()); ++b)
-		print("block   {}: {}, {} cells\n", b, blocks.blocks[b].name,
-		      std::visit([](const auto& grid) { return grid.cellCount(); }, blocks.blocks[b].grid));
+	{
+		const std::string lattice = latticeWords(blocks.blocks[b]);
+		print("block   {}: {}, {} cells{}{}\n", b, blocks.blocks[b].name,
+		      std::visit([](const auto& grid) { return grid.cellCount(); }, blocks.blocks[b].grid),
+		      lattice.empty() ? "" : ", ", lattice);
+	}
 	printMore(blocks.blocks.size());
+}
+
+void printPatches(const grid::BlockSet& blocks)
+{
+	for (std::size_t p = 0; p < std::min(kMaxPrinted, blocks.patches.size()); ++p)
+		print("patch   {}: {} faces\n", blocks.patches[p].name, blocks.patches[p].faces.size());
+	printMore(blocks.patches.size());
 }
 
 void printMeetings(const grid::BlockSet& blocks)
@@ -210,6 +275,7 @@ void printInfo(const grid::BlockSet& blocks)
 		print("        {} cells with a point without a place are left out\n", blocks.unplaced);
 	printBlocks(blocks);
 	printMeetings(blocks);
+	printPatches(blocks);
 	const std::string units = lengthUnits(blocks);
 	print("bounds  x {}, y {}, z {}{}{}\n", rangeWords(bounds.lo.x, bounds.hi.x), rangeWords(bounds.lo.y, bounds.hi.y),
 	      rangeWords(bounds.lo.z, bounds.hi.z), units.empty() ? "" : " ", units);
@@ -258,8 +324,9 @@ Result<ExitCode> runInfo(const InfoOptions& options)
 			print("demo:{:<8} {}\n", demo.name, demo.about);
 		return ExitCode::done;
 	}
-	Result<grid::BlockSet> blocks =
-	    read::readInputs(input.files, session::readOptions(options.input.spec, input.time), nullptr);
+	read::ReadOptions reading = session::readOptions(options.input.spec, input.time);
+	reading.patches = true;
+	Result<grid::BlockSet> blocks = read::readInputs(input.files, reading, nullptr);
 	if (!blocks)
 		return blocks.error();
 	if (options.json)
