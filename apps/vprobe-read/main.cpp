@@ -7,6 +7,7 @@
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/checks/complaints.h"
 #include "vprobe-read/convert/convert.h"
+#include "vprobe-read/door/opening.h"
 #include "vprobe-read/formats/formats.h"
 #include "vprobe-read/manifest/manifest_writer.h"
 
@@ -22,6 +23,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -46,6 +48,9 @@ std::string withPiece(const std::string& input, std::string reason)
 
 [[noreturn]] void giveUp(std::string reason, int code)
 {
+	// A file that may not be opened is no sign of damage, whatever its library says.
+	if (const std::vector<std::string> refused = refusedFiles(); !refused.empty() && code == vp::read::kRefusedExitCode)
+		reason = refused.front();
 	for (char& c : reason)
 		if (c == '\n' || c == '\r')
 			c = ' ';
@@ -54,21 +59,31 @@ std::string withPiece(const std::string& input, std::string reason)
 	_exit(code);
 }
 
+std::vector<std::string> linesOf(std::string_view text)
+{
+	std::vector<std::string> lines;
+	while (!text.empty())
+	{
+		const std::size_t end = std::min(text.find('\n'), text.size());
+		if (end > 0)
+			lines.emplace_back(text.substr(0, end));
+		text.remove_prefix(std::min(end + 1, text.size()));
+	}
+	return lines;
+}
+
 ArrayWish parseWish(std::string_view text)
 {
 	ArrayWish wish;
 	wish.all = false;
-	while (!text.empty())
+	for (const std::string& line : linesOf(text))
 	{
-		const std::size_t end = std::min(text.find('\n'), text.size());
-		const std::string_view line = text.substr(0, end);
-		text.remove_prefix(std::min(end + 1, text.size()));
 		if (line == "*")
 			wish.all = true;
 		else if (line == "^")
 			wish.first = true;
 		else if (line.starts_with('='))
-			wish.names.emplace_back(line.substr(1));
+			wish.names.push_back(line.substr(1));
 	}
 	return wish;
 }
@@ -100,7 +115,9 @@ Request parseRequest(char** arguments)
 	request.convert_to = arguments[10];
 	request.convert_folder = arguments[11];
 	request.parts = arguments[12];
-	request.file = arguments[13];
+	request.sandbox = arguments[13];
+	request.follow = linesOf(arguments[14]);
+	request.file = arguments[15];
 	request.arguments = arguments;
 	return request;
 }
@@ -123,7 +140,7 @@ void sendManifest(const std::string& text)
 int main(int argc, char** argv)
 {
 	const auto is_open = [](int fd) { return fcntl(fd, F_GETFD) >= 0; };
-	if (argc != 14 || !is_open(vp::read::kArraysFd) || !is_open(vp::read::kManifestFd) || !is_open(vp::read::kCellsFd))
+	if (argc != 16 || !is_open(vp::read::kArraysFd) || !is_open(vp::read::kManifestFd) || !is_open(vp::read::kCellsFd))
 	{
 		std::fprintf(stderr, "vprobe-read is started by vprobe to read files; run vprobe info FILE instead\n");
 		return 1;
@@ -131,6 +148,13 @@ int main(int argc, char** argv)
 	std::signal(SIGXFSZ, SIG_IGN); // a full arrays file shows as an error of the write
 	startCounting();
 	const Request request = parseRequest(argv);
+	const Hold hold = request.sandbox == "off" ? Hold{} : closeDoor(openingFor(request));
+	if (request.sandbox == "require" && (hold.landlock == 0 || !hold.seccomp))
+		giveUp(
+		    fmt::format("the system has no full sandbox for its reader ({}); take Linux 5.13 or newer with Landlock, "
+		                "or set the sandbox to auto",
+		                holdText(hold)),
+		    vp::read::kNoSandboxExitCode);
 	try
 	{
 		installComplaints();
@@ -139,6 +163,9 @@ int main(int argc, char** argv)
 		if (request.convert_to.ends_with(".vtkhdf"))
 			needHdf5(request);
 		readAnyFormat(request, manifest);
+		manifest.setSandbox(holdText(hold));
+		for (std::string& refused : refusedFiles())
+			manifest.warn(std::move(refused));
 		const std::string text = manifest.finish();
 		if (!request.convert_to.empty())
 			writeConverted(manifest.kept(), request);

@@ -2,6 +2,7 @@
 // opened for reading. Rejected: a list in each of 40 readers, which would miss files that their libraries open.
 #include "vprobe-read/base/read_files.h"
 
+#include <cerrno>
 #include <cstdarg>
 #include <cstdio>
 #include <cstring>
@@ -32,18 +33,36 @@ bool onlyReads(const char* mode)
 	return mode && mode[0] == 'r' && !std::strchr(mode, '+');
 }
 
+void noteOpened(bool is_open, const char* path)
+{
+	if (is_open)
+		return noteFile(path);
+	const int error = errno;
+	if (error == EACCES)
+		noteRefused(path);
+	errno = error;
+}
+
 int opened(int descriptor, const char* path, int flags)
 {
-	if (descriptor >= 0 && onlyReads(flags))
-		noteFile(path);
+	if (onlyReads(flags))
+		noteOpened(descriptor >= 0, path);
 	return descriptor;
 }
 
 std::FILE* opened(std::FILE* file, const char* path, const char* mode)
 {
-	if (file && onlyReads(mode))
-		noteFile(path);
+	if (onlyReads(mode))
+		noteOpened(file != nullptr, path);
 	return file;
+}
+
+bool isBlocked(const char* path)
+{
+	if (!isNoFile(path))
+		return false;
+	errno = EINVAL;
+	return true;
 }
 
 using Open = int(const char*, int, ...);
@@ -62,7 +81,7 @@ using OpenStream = std::FILE*(const char*, const char*);
 		const bool makes = (flags & O_CREAT) || (flags & O_TMPFILE) == O_TMPFILE;                                      \
 		const mode_t mode = makes ? va_arg(rest, mode_t) : 0;                                                          \
 		va_end(rest);                                                                                                  \
-		return opened(system(path, flags, mode), path, flags);                                                         \
+		return onlyReads(flags) && isBlocked(path) ? -1 : opened(system(path, flags, mode), path, flags);              \
 	}
 
 #define VP_CHECKED_OPEN(NAME, SYMBOL)                                                                                  \
@@ -70,7 +89,7 @@ using OpenStream = std::FILE*(const char*, const char*);
 	VP_EXPORTED int NAME(const char* path, int flags)                                                                  \
 	{                                                                                                                  \
 		static CheckedOpen* const system = next<CheckedOpen>(SYMBOL);                                                  \
-		return opened(system(path, flags), path, flags);                                                               \
+		return onlyReads(flags) && isBlocked(path) ? -1 : opened(system(path, flags), path, flags);                    \
 	}
 
 #define VP_OPEN_STREAM(NAME, SYMBOL)                                                                                   \
@@ -78,7 +97,7 @@ using OpenStream = std::FILE*(const char*, const char*);
 	VP_EXPORTED std::FILE* NAME(const char* path, const char* mode)                                                    \
 	{                                                                                                                  \
 		static OpenStream* const system = next<OpenStream>(SYMBOL);                                                    \
-		return opened(system(path, mode), path, mode);                                                                 \
+		return onlyReads(mode) && isBlocked(path) ? nullptr : opened(system(path, mode), path, mode);                  \
 	}
 
 VP_OPEN(watchedOpen, "open")

@@ -4,6 +4,7 @@
 #include "read/formats.h"
 #include "read/protocol.h"
 #include "read/reader_process.h"
+#include "read/sandbox.h"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -14,6 +15,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <vector>
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -122,6 +124,8 @@ Error explain(const std::string& file, const Reader& reader, const InputLimits& 
 			return input(reason);
 		if (code == kNoMemoryExitCode)
 			return outOfMemory(file, reason, is_short);
+		if (code == kNoSandboxExitCode)
+			return {ErrorKind::internal, fmt::format("{}: {}", file, reason)};
 		if (code == kNoRoomExitCode)
 			return {ErrorKind::output, fmt::format("{}: {}", target, reason)};
 	}
@@ -142,6 +146,37 @@ std::string wishArgument(const ArrayWish& wish)
 	for (const std::string& name : wish.names)
 		lines += "\n=" + name;
 	return lines;
+}
+
+// As protocol.h has them.
+std::vector<std::string> argumentsFor(const std::string& file, const ReadOptions& options, const std::string& sandbox)
+{
+	return {"vprobe-read",
+	        timeText(options.time),
+	        options.solution,
+	        fmt::format("{}", options.refine),
+	        fmt::format("{:.17g}", options.displace),
+	        options.patches ? "1" : "0",
+	        std::to_string(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)),
+	        wishArgument(options.arrays),
+	        options.format,
+	        rawText(options.raw),
+	        options.convert_to,
+	        options.convert_folder,
+	        options.parts,
+	        sandbox,
+	        followArgument(),
+	        file};
+}
+
+// For the system's functions, which end with null.
+std::vector<char*> pointersTo(std::vector<std::string>& texts)
+{
+	std::vector<char*> pointers;
+	for (std::string& text : texts)
+		pointers.push_back(text.data());
+	pointers.push_back(nullptr);
+	return pointers;
 }
 
 rlimit limitOf(std::uint64_t value, int resource)
@@ -173,6 +208,9 @@ Result<HandedOver> runReader(const std::string& file, const ReadOptions& options
 	const Result<std::string> found = readerProgram();
 	if (!found)
 		return found.error();
+	const Result<std::string> sandbox = sandboxArgument();
+	if (!sandbox)
+		return sandbox.error();
 	const std::string program = programFor(*found, file, options.format);
 	noteInput(file);
 	noteInput(options.solution);
@@ -185,26 +223,13 @@ Result<HandedOver> runReader(const std::string& file, const ReadOptions& options
 	if (!arrays || !cells || !null || !manifest.write_end || !errors.write_end)
 		return notStarted(std::strerror(errno));
 
-	std::string name = "vprobe-read";
-	std::string time = timeText(options.time);
-	std::string solution = options.solution;
-	std::string refine = fmt::format("{}", options.refine);
-	std::string path = file;
-	std::string format = options.format;
-	std::string target = options.convert_to;
-	std::string folder = options.convert_folder;
-	std::string raw = rawText(options.raw);
-	std::string displace = fmt::format("{:.17g}", options.displace);
+	std::vector<std::string> arguments = argumentsFor(file, options, *sandbox);
+	std::vector<std::string> variables = readerEnvironment();
+	const std::vector<char*> environment = pointersTo(variables);
 	ChildSetup setup = {};
 	setup.program = program.c_str();
-	std::string patches = options.patches ? "1" : "0";
-	std::string threads =
-	    std::to_string(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-	std::string wish = wishArgument(options.arrays);
-	std::string parts = options.parts;
-	setup.arguments = {name.data(),    time.data(),    solution.data(), refine.data(), displace.data(),
-	                   patches.data(), threads.data(), wish.data(),     format.data(), raw.data(),
-	                   target.data(),  folder.data(),  parts.data(),    path.data(),   nullptr};
+	setup.environment = environment.data();
+	std::ranges::copy(pointersTo(arguments), setup.arguments.begin());
 	setup.null = null.get();
 	setup.errors = errors.write_end.get();
 	setup.arrays = arrays.get();

@@ -4,6 +4,7 @@
 #include "read/child.h"
 #include "read/input_limits.h"
 #include "read/manifest.h"
+#include "read/sandbox.h"
 
 #include <algorithm>
 #include <array>
@@ -38,6 +39,7 @@ Status convert(const std::string& input, const ReadOptions& options, const std::
 	if (!checked)
 		return unusable(input, checked.error());
 	noteFiles(*checked);
+	noteSandbox(checked->sandbox);
 	for (const std::string& warning : checked->warnings)
 		warn("{}: {}", input, warning);
 	return Nothing{};

@@ -3,7 +3,8 @@
 // VP_FORMAT(NAME, ENDINGS, WHAT, READ, BY, FILES, SIGN, PROGRAM, FUNCTION)
 //
 // NAME is what --format takes. WHAT it is, what is READ of it, and BY what, stand in vprobe info --formats. FILES:
-// alone, or with files beside it, or all of its folder. SIGN says whether a FileHead
+// alone, or linked to others, or with files beside it, or all of its folder. The reader's sandbox opens the folder of the
+// input for all but the first. SIGN says whether a FileHead
 // (apps/vprobe-read/checks/file_head.h) is one of the format. PROGRAM reads it by read FUNCTION(): base is vprobe-read,
 // more is vprobe-read-more.
 
@@ -24,10 +25,10 @@ VP_FORMAT("series", ".series", "ParaView's JSON list of files over time", "times
           head.ends({".series"}) && head.has("{"), base, Series)
 VP_FORMAT("ensight", ".case .encas", "EnSight 6 and Gold, text and binary", "parts; polyhedra; times", "vprobe", beside,
           head.has("GEOMETRY") && head.has("FORMAT"), base, EnSight)
-VP_FORMAT("cgns", ".cgns", "CGNS, ADF and HDF5", "bases and zones; polyhedra; times", "VTK", alone,
+VP_FORMAT("cgns", ".cgns", "CGNS, ADF and HDF5", "bases and zones; polyhedra; times", "VTK", linked,
           head.isBefore("ADF Database", 32) || head.holds("CGNSLibraryVersion"), more, Cgns)
 VP_FORMAT("vtkhdf", ".vtkhdf .hdf", "VTKHDF 1 and 2", "image data and unstructured grids; polyhedra; times",
-          "vprobe, HDF5", alone, head.holds("VTKHDF"), more, Hdf)
+          "vprobe, HDF5", linked, head.holds("VTKHDF"), more, Hdf)
 VP_FORMAT("exodus", ".ex2 .e .exo .exii .g", "Exodus II, netCDF and HDF5",
           "element blocks; side sets; displacements; times", "VTK", alone,
           head.holds("num_nodes") && head.holds("num_dim"), more, Exodus)
@@ -70,7 +71,7 @@ VP_FORMAT("slac", ".ncdf", "SLAC meshes of accelerators (netCDF), with a file of
           "volumes of tetrahedra; modes at points; time", "vprobe, netCDF", beside,
           head.holds("tetrahedron_exterior") || head.holds("tetrahedron_interior"), more, Slac)
 VP_FORMAT("netcdf", ".nc .nc4 .cdf", "netCDF, classic and netCDF-4, of the CF conventions",
-          "axes by their attributes; missing and packed values; times; units", "vprobe, netCDF", alone,
+          "axes by their attributes; missing and packed values; times; units", "vprobe, netCDF", linked,
           head.isNetcdf() || head.holds("_NCProperties") || head.holds("Conventions"), more, Netcdf)
 VP_FORMAT("med", ".med .rmed", "MED 3 and 4 (Salome, Code_Aster)",
           "meshes of linear cells; fields at nodes and cells; families; times; units", "vprobe, HDF5", alone,

@@ -12,6 +12,7 @@ namespace
 {
 
 constexpr auto alone = FormatFiles::alone;
+constexpr auto linked = FormatFiles::linked;
 constexpr auto beside = FormatFiles::beside;
 constexpr auto folder = FormatFiles::folder;
 
@@ -39,6 +40,19 @@ bool anyEnding(std::string_view endings, Use&& use)
 	return false;
 }
 
+std::string inSmallLetters(std::string_view text)
+{
+	std::string name(text);
+	std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+	return name;
+}
+
+// name: in small letters.
+bool suits(const Format& format, std::string_view name)
+{
+	return anyEnding(format.endings, [&](std::string_view ending) { return name.ends_with(ending); });
+}
+
 } // namespace
 
 std::span<const Format> formats()
@@ -54,11 +68,16 @@ const Format* findFormat(std::string_view name)
 
 const Format* formatOfEnding(std::string_view file)
 {
-	std::string name(file);
-	std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-	const auto suits = [&](std::string_view ending) { return name.ends_with(ending); };
-	const auto found = std::ranges::find_if(kFormats, [&](const Format& f) { return anyEnding(f.endings, suits); });
+	const std::string name = inSmallLetters(file);
+	const auto found = std::ranges::find_if(kFormats, [&](const Format& f) { return suits(f, name); });
 	return found == std::end(kFormats) ? nullptr : found;
+}
+
+bool mayNameFiles(std::string_view file)
+{
+	const std::string name = inSmallLetters(file);
+	return !formatOfEnding(name) || std::ranges::any_of(kFormats, [&](const Format& format)
+	                                                    { return format.files != alone && suits(format, name); });
 }
 
 std::string formatNames()

@@ -7,10 +7,12 @@
 namespace vp::read
 {
 
-// The files of an input: one, or files beside it too, or all in its folder.
+// The files of an input: one, or one that may link to others, or files beside it too, or all in its folder. Those of
+// `linked` count as alone where the sizes of files matter, since few have links.
 enum class FormatFiles
 {
 	alone,
+	linked,
 	beside,
 	folder
 };
@@ -35,6 +37,9 @@ const Format* findFormat(std::string_view name);
 
 // The first format that a file's name suits, null if there is none.
 const Format* formatOfEnding(std::string_view file);
+
+// Returns true if some format that a file's name suits may name files beside it, or if none suits.
+bool mayNameFiles(std::string_view file);
 
 // All names, or all endings, separated by spaces.
 std::string formatNames();

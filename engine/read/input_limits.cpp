@@ -42,7 +42,7 @@ std::uint64_t physicalMemory()
 FormatFiles filesOf(const std::string& file, const std::string& name)
 {
 	const Format* format = name.empty() ? formatOfEnding(file) : findFormat(name);
-	return format ? format->files : FormatFiles::alone;
+	return format && format->files != FormatFiles::linked ? format->files : FormatFiles::alone;
 }
 
 std::uint64_t bytesBeside(const fs::path& file, FormatFiles files)

@@ -99,6 +99,7 @@ public:
 				input.warnings.push_back(wordsOf(warning));
 		for (const json& file : manifest.value("files", json::array()))
 			input.files.push_back(file.get<std::string>());
+		input.sandbox = wordsOf(manifest.value("sandbox", json("")));
 		input.left_out = countOf(manifest.at("left_out"));
 		checkBlocks(manifest.at("blocks"), input);
 		for (CheckedBlock& block : input.blocks)

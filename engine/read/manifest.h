@@ -72,6 +72,7 @@ struct CheckedInput
 	std::vector<InputPart> parts{}; // if they were asked for
 	std::vector<WholeLattice> wholes{};
 	std::uint64_t bytes_read = 0; // from files, likewise
+	std::string sandbox{};        // what held the child
 };
 
 // Checks that an array has as many numbers as its block has points or cells. Throws Unusable.

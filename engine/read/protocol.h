@@ -7,7 +7,7 @@ namespace vp::read
 {
 
 // The protocol between vprobe-read and its parent. The child is started as
-//   vprobe-read TIME SOLUTION REFINE DISPLACE PATCHES THREADS ARRAYS FORMAT RAW TARGET FOLDER PARTS FILE
+//   vprobe-read TIME SOLUTION REFINE DISPLACE PATCHES THREADS ARRAYS FORMAT RAW TARGET FOLDER PARTS SANDBOX FOLLOW FILE
 // TIME: last, first, a number, or # and an index. SOLUTION: empty or a PLOT3D q file. REFINE: how many times the linear
 // parts of curved cells are halved, or a tolerance, which leaves these cells curved. DISPLACE: factor for Exodus
 // displacements, 0 for none. PATCHES: 1 to read named parts of the boundary, else 0. THREADS: the maximum number of
@@ -15,7 +15,8 @@ namespace vp::read
 // FORMAT: a name of format_table.inl, or empty. RAW: the layout of a raw volume (rawText()), or empty. TARGET and
 // FOLDER: of convert(), or empty; the child writes into this folder and nowhere else. PARTS: empty for all, "?" to list
 // them, or their numbers with commas between; behind that, "/" and into how many slabs a lattice comes apart that is
-// alone in its file. The child writes arrays into two shared memories, each array at a multiple of kArrayAlignment.
+// alone in its file. SANDBOX: auto, require or off. FOLLOW: folders with files that the input may name, one a line, or
+// "anywhere". The child writes arrays into two shared memories, each array at a multiple of kArrayAlignment.
 // kCellsFd gets the points and cells of unstructured blocks, which nobody needs after the grid is built, kArraysFd
 // everything else. A JSON manifest that describes them goes to kManifestFd:
 //
@@ -35,18 +36,20 @@ namespace vp::read
 //
 // An array is {"type": "float32" ..., "offset", "bytes"}. In "arrays" it also has "name", "association", "components"
 // and, if the file has them, "units". An array that nobody asked for has "left_out": true and no place. The manifest
-// has "length_units" and "time_units" if the file has them; "imaging" is {"orientation", "gray", "window"}, each if the
-// file says it (grid/imaging.h).
-constexpr int kProtocolVersion = 9;
+// has "length_units" and "time_units" if the file has them; "sandbox" says what holds the child ("landlock 7,
+// seccomp"); "imaging" is {"orientation", "gray", "window"}, each if the file says it (grid/imaging.h).
+constexpr int kProtocolVersion = 10;
 constexpr int kArraysFd = 3;
 constexpr int kManifestFd = 4;
 constexpr int kCellsFd = 5;
+constexpr int kCountsFd = 6; // the child's own: /proc/self/io, which its sandbox does not let it open later
 constexpr std::size_t kArrayAlignment = 64;
 
 // If a child gives up, it ends with one of these exit codes, and its last line on standard error starts with this mark.
-constexpr int kRefusedExitCode = 2;  // the input cannot be used
-constexpr int kNoMemoryExitCode = 3; // there was no memory left, or no room for what is handed over
-constexpr int kNoRoomExitCode = 4;   // the file of convert() cannot be written
+constexpr int kRefusedExitCode = 2;   // the input cannot be used
+constexpr int kNoMemoryExitCode = 3;  // there was no memory left, or no room for what is handed over
+constexpr int kNoRoomExitCode = 4;    // the file of convert() cannot be written
+constexpr int kNoSandboxExitCode = 5; // SANDBOX is "require", and the system has none
 constexpr std::string_view kReasonMark = "vprobe-read: ";
 // Each file that an input names is told in such a line before it is read. So a child that is killed has told where.
 constexpr std::string_view kReadingMark = "vprobe-read-file: ";

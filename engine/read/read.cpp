@@ -7,6 +7,7 @@
 #include "read/child.h"
 #include "read/geometry.h"
 #include "read/input_limits.h"
+#include "read/sandbox.h"
 
 #include <fmt/format.h>
 
@@ -37,6 +38,7 @@ Result<CheckedInput> readChecked(const std::string& file, const ReadOptions& opt
 	if (!checked)
 		return unusable(file, checked.error());
 	noteFiles(*checked);
+	noteSandbox(checked->sandbox);
 	return checked;
 }
 

@@ -102,7 +102,7 @@ void becomeReader(const ChildSetup& setup)
 	sigemptyset(&no_signals);
 	sigprocmask(SIG_SETMASK, &no_signals, nullptr);
 	std::signal(SIGPIPE, SIG_DFL);
-	execv(setup.program, setup.arguments.data());
+	execve(setup.program, setup.arguments.data(), setup.environment);
 	const char* why = std::strerror(errno);
 	if (write(STDERR_FILENO, why, std::strlen(why)) < 0)
 		_exit(127);

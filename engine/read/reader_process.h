@@ -28,7 +28,8 @@ Pipe makePipe();
 struct ChildSetup
 {
 	const char* program;
-	std::array<char*, 15> arguments; // ends with null
+	std::array<char*, 17> arguments; // ends with null
+	char* const* environment;        // likewise
 	int null;
 	int errors;
 	int arrays;

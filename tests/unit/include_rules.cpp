@@ -39,7 +39,7 @@ const std::vector<Rooms> kInnerRooms{
     {"apps/vprobe", "viewer", {"screen", "cutting", "document", "pointer", "panels", ""}},
     {"apps",
      "vprobe-read",
-     {"base", "text", "checks", "hdf5", "arrays", "cells", "quick", "convert", "manifest", "boxes", "formats",
+     {"base", "door", "text", "checks", "hdf5", "arrays", "cells", "quick", "convert", "manifest", "boxes", "formats",
       "formats/vtk", "formats/wrapped", "formats/volumes", "formats/meshes", "formats/codes", ""}}};
 
 const fs::path kRoot = VPROBE_SOURCE_DIR;

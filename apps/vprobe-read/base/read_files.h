@@ -12,6 +12,14 @@ void tellFiles(const std::string& input);
 void noteFile(const char* path);
 std::vector<std::string> filesRead(); // each once
 
+// Notes a file that could not be opened for reading. It counts if the reason is the sandbox.
+void noteRefused(const char* path);
+// Returns a line for the user for each of them: the file and the remedy.
+std::vector<std::string> refusedFiles();
+
+// Returns true if a name leads to a pipe, a device or a socket. Reading from one might wait for ever, or never end.
+bool isNoFile(const char* path);
+
 // Returns the file that was opened last, or an empty text if that is the input itself.
 std::string pieceBeingRead();
 

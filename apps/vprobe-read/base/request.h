@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 // Holds the parent's request.
 struct Request
@@ -28,6 +29,8 @@ struct Request
 	std::string convert_to;     // the file that is to be written; mostly empty
 	std::string convert_folder; // of the parent's, into which it is written
 	ArrayWish arrays;           // those to hand over
+	std::string sandbox = "off";     // auto, require or off
+	std::vector<std::string> follow; // folders with files that the input may name, or "anywhere"
 	std::string parts;          // those to hand over, see PartFilter; mostly empty
 	char** arguments = nullptr; // as the process was started with them
 };

@@ -6,8 +6,7 @@
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/checks/file_head.h"
 #include "vprobe-read/convert/convert.h"
-
-#include <filesystem>
+#include "vprobe-read/door/opening.h"
 
 #include <unistd.h>
 
@@ -20,7 +19,7 @@ namespace
 	for (const int fd : {vp::read::kArraysFd, vp::read::kCellsFd})
 		if (ftruncate(fd, 0) != 0 || lseek(fd, 0, SEEK_SET) != 0)
 			throw Refusal("the shared memory for its arrays cannot be emptied; try again");
-	const std::string program = std::filesystem::read_symlink("/proc/self/exe").string() + "-more";
+	const std::string program = programWithMore();
 	execv(program.c_str(), request.arguments);
 	throw Refusal("needs " + program + ", which cannot be started; install it beside vprobe-read");
 }

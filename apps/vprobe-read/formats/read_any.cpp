@@ -3,6 +3,7 @@
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/checks/file_head.h"
 #include "vprobe-read/checks/other_programs.h"
+#include "vprobe-read/door/door.h"
 
 #include <fmt/format.h>
 
@@ -42,6 +43,15 @@ Refusal notRecognized(const FileHead& head)
 	return Refusal("not a format that can be read; vprobe info --formats lists those that can");
 }
 
+// Refuses to become vprobe-read-more, unless that reads the format, or one of the files that a list over time names.
+void refuseExecFor(std::string_view format, const FileHead& head)
+{
+	static bool is_list = false;
+	is_list = is_list || format == "series" || (format == "vtk-xml-index" && xmlTypeOf(head.text()) == "Collection");
+	if (!is_list && !vp::read::findFormat(format)->in_more)
+		refuseExec();
+}
+
 } // namespace
 
 std::string xmlTypeOfFile(const std::string& file)
@@ -69,5 +79,6 @@ void readAnyFormat(const Request& request, ManifestWriter& manifest)
 		refuseOtherPrograms(head);
 	if (reader == std::end(kReaders))
 		throw notRecognized(head);
+	refuseExecFor(reader->format, head);
 	reader->read(request, manifest);
 }

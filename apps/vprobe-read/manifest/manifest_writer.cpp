@@ -387,6 +387,7 @@ std::string ManifestWriter::finish()
 	                 {"left_out", counts_.flat},
 	                 {"warnings", warnings_},
 	                 {"files", filesRead()},
+	                 {"sandbox", sandbox_},
 	                 {"blocks", blocks_},
 	                 {"patches", patches_}};
 	if (parts_.filters())

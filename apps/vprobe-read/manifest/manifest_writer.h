@@ -59,6 +59,7 @@ public:
 	void setLengthUnits(std::string units) { length_units_ = std::move(units); }
 	void setImaging(vp::grid::Imaging imaging) { imaging_ = std::move(imaging); }
 	void setTimeUnits(std::string units) { time_units_ = std::move(units); }
+	void setSandbox(std::string text) { sandbox_ = std::move(text); }
 	void warn(std::string line) { warnings_.push_back(std::move(line)); }
 
 	bool isEmpty() const { return blocks_.empty(); }
@@ -89,6 +90,7 @@ private:
 	nlohmann::json patches_ = nlohmann::json::array();
 	std::vector<double> times_;
 	std::vector<std::string> warnings_;
+	std::string sandbox_;
 	std::string length_units_;
 	vp::grid::Imaging imaging_;
 	std::string time_units_;

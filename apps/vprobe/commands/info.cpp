@@ -7,6 +7,7 @@
 #include "options/spec_options.h"
 #include "read/formats.h"
 #include "read/read.h"
+#include "read/sandbox.h"
 #include "report/console.h"
 #include "session/session.h"
 
@@ -147,6 +148,7 @@ nlohmann::json infoJson(const grid::BlockSet& blocks)
 	          {"cells_without_place", blocks.unplaced}}},
 	        {"blocks", block_list},
 	        {"interfaces", interfaces},
+	        {"sandbox", read::sandboxText()},
 	        {"overlaps", overlaps},
 	        {"patches", patches},
 	        {"orientation", blocks.imaging().orientation},

@@ -155,6 +155,7 @@ void addSettings(CLI::App& command, SpecOptions& options, std::string_view secti
 CLI::Option* addInputs(CLI::App& command, SpecOptions& options)
 {
 	addSettings(command, options, "input");
+	addTrustOptions(command);
 	return command.get_option("INPUT")->required();
 }
 

@@ -38,8 +38,9 @@ enum class Scope : std::uint8_t
 // values are kept in `wrong`, because the input may still come from a state.
 void addSettings(CLI::App& command, SpecOptions& options, std::string_view section, Scope scope = Scope::all);
 CLI::Option* addInputs(CLI::App& command, SpecOptions& options); // returns INPUT, which is required
-void addProbeOptions(CLI::App& command, SpecOptions& options);   // the probe, and the machine
-void addExplain(CLI::App& command, SpecOptions& options);        // for commands that end with a cut
+void addTrustOptions(CLI::App& command);                       // what the reader of INPUT may do; addInputs() adds them
+void addProbeOptions(CLI::App& command, SpecOptions& options); // the probe, and the machine
+void addExplain(CLI::App& command, SpecOptions& options);      // for commands that end with a cut
 // Adds --save and --state. Options on the command line take precedence over the state file, in whatever order they
 // stand.
 void addStateOptions(CLI::App& command, SpecOptions& options);

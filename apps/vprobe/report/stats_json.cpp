@@ -2,6 +2,7 @@
 
 #include "ranks/data/share.h"
 #include "ranks/write/joined_stats.h"
+#include "read/sandbox.h"
 #include "report/duration.h"
 #include "report/explain.h"
 #include "vectors/traces.h"
@@ -237,6 +238,7 @@ nlohmann::json inputJson(const session::Session& session)
 	          {"cells_without_place", session.blocks().unplaced}}},
 	        {"array",
 	         session.view().field ? nlohmann::json(session.view().field->title(session.blocks())) : nlohmann::json()},
+	        {"sandbox", read::sandboxText()},
 	        {"device", session.device() ? session.device()->name() : "none"},
 	        {"classifier", classifierName(session)},
 	        {"break_even_cells", breakEvenJson(session)},

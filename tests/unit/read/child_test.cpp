@@ -1,6 +1,7 @@
 #include "read/child.h"
 #include "read/protocol.h"
 #include "read/read.h"
+#include "read/sandbox.h"
 #include "sample_files.h"
 
 #include <gtest/gtest.h>
@@ -160,16 +161,21 @@ TEST_F(ScriptedReader, GetsItsArgumentsAndNoOtherDescriptors)
 	options.raw.size = {8, 4, 2};
 	options.convert_to = "out.vti";
 	options.convert_folder = "out.new";
+	setFollow({"/data", "anywhere"});
 	const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
 	constexpr int leaked = 50;
 	ASSERT_EQ(dup2(STDERR_FILENO, leaked), leaked);
-	const auto handed = run("echo \"$1|$2|$3|$4|$5|$6|$7|$8|$9|${10}|${11}|${12}|${13}\" >&4; [ -e /proc/$$/fd/50 ] && "
-	                        "echo leaked >&4; exit 0",
-	                        options);
+	const auto handed =
+	    run("echo \"$1|$2|$3|$4|$5|$6|$7|$8|$9|${10}|${11}|${12}|${13}|${14}|${15}\" >&4; [ -e /proc/$$/fd/50 ] && "
+	        "echo leaked >&4; exit 0",
+	        options);
 	close(leaked);
+	setFollow({});
 	ASSERT_TRUE(handed) << handed.error().message;
-	EXPECT_EQ(handed->manifest,
-	          "2.5|some.q|3|0.5|1|1|^\n=p\n=cell:q|raw|8x4x2 uint8 1x1x1 little|out.vti|out.new||" + input_ + "\n");
+	EXPECT_EQ(
+	    handed->manifest,
+	    "2.5|some.q|3|0.5|1|1|^\n=p\n=cell:q|raw|8x4x2 uint8 1x1x1 little|out.vti|out.new||auto|/data\nanywhere|" +
+	        input_ + "\n");
 }
 
 TEST(ReaderProgram, ThatIsMissingIsNoInputError)

@@ -1,0 +1,35 @@
+#include "options/spec_options.h"
+
+#include "read/sandbox.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace vp::app
+{
+
+// They are no settings: a state or a file of commands must not open the sandbox.
+void addTrustOptions(CLI::App& command)
+{
+	const char* group = "Trust";
+	command
+	    .add_option_function<std::vector<std::string>>(
+	        "--follow", [](const std::vector<std::string>& folders) { read::setFollow(folders); },
+	        "Let INPUT name files in this folder, too, or anywhere; give it again for several (default: only in its "
+	        "own folder)")
+	    ->type_name("FOLDER")
+	    ->take_all()
+	    ->expected(1)
+	    ->group(group);
+	command
+	    .add_option_function<std::string>(
+	        "--sandbox", [](const std::string& word) { read::setSandbox(*read::parseSandbox(word)); },
+	        "Read files in a sandbox: auto (what the system has), require or off (default: auto, or VPROBE_SANDBOX)")
+	    ->type_name("auto|require|off")
+	    ->check(CLI::IsMember({"auto", "require", "off"}))
+	    ->group(group);
+}
+
+} // namespace vp::app
