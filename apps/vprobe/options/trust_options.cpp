@@ -20,8 +20,8 @@ void addTrustOptions(CLI::App& command)
 	        "Let INPUT name files in this folder, too, or anywhere; give it again for several (default: only in its "
 	        "own folder)")
 	    ->type_name("FOLDER")
-	    ->take_all()
 	    ->expected(1)
+	    ->take_all()
 	    ->group(group);
 	command
 	    .add_option_function<std::string>(
