@@ -163,6 +163,8 @@ public:
 	const Stamp& stamp() const { return stamp_; }
 
 	const view::ViewSpec& spec() const { return spec_; }
+	/// The inputs as the functions of read.h take them: the files, or one series.
+	const std::vector<std::string>& inputs() const { return inputs_; }
 	const view::ResolvedView& view() const { return view_; }
 	const grid::BlockSet& blocks() const { return blocks_; }
 	const LaunchState& launch() const { return launch_; }
@@ -200,6 +202,7 @@ private:
 	cut::CutRequest cutRequest(const FrameRequest& request) const;
 
 	view::ViewSpec spec_;
+	std::vector<std::string> inputs_;
 	view::ResolvedView view_;
 	bool is_resolved_ = false; // the view is that of the settings
 	grid::BlockSet blocks_;
@@ -218,6 +221,10 @@ private:
 
 /// Returns the options that read the inputs at a time, with all arrays.
 read::ReadOptions readOptions(const view::ViewSpec& spec, const read::TimeChoice& time);
+
+/// Reads the inputs of the settings at their time, as a session does, with all neighbors. patches: named parts of the
+/// boundary too.
+Result<grid::BlockSet> readInputs(const view::ViewSpec& spec, bool patches = false);
 
 /// Returns true if the settings need neighbors, whatever a plan says: for whole cells, vectors, grid surfaces,
 /// contours, or surfaces around the sheets.

@@ -31,7 +31,11 @@ Section inputSection(InputSpec& input)
 	    "input",
 	    "",
 	    {{"files", Files{&input.files},
-	      "A file, or demo:NAME[:N]. Several inputs make one data set. Reads " + read::readableEndings(), "INPUT"},
+	      "A file, or demo:NAME[:N]. Several inputs make one data set or one series. Reads " + read::readableEndings(),
+	      "INPUT"},
+	     {"inputs", word(&input.inputs_as),
+	      "What several inputs are to each other. blocks: together they are one data set; times: each is a time of a "
+	      "series. auto: times if their names differ by a number alone and their grids are the same, else blocks"},
 	     {"time", written(&input.time, read::parseTime, read::timeText),
 	      "Time to read: last, first, a time (the nearest one that the file has), or #INDEX from 0"},
 	     {"solution", File{&input.solution},
