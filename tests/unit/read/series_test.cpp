@@ -2,17 +2,19 @@
 
 #include <gtest/gtest.h>
 
-namespace vp::read::test
+namespace vp::test
 {
 
-using Numbers = std::optional<std::vector<double>>;
+using read::FileSeries;
+using read::numbersOfNames;
+using read::parseSeries;
 
 TEST(Series, NumbersOfNames)
 {
-	EXPECT_EQ(numbersOfNames({"a_02.vti", "a_03.vti", "a_10.vti"}), (Numbers{{2, 3, 10}}));
-	EXPECT_EQ(numbersOfNames({"a9.vti", "a10.vti"}), (Numbers{{9, 10}}));
-	EXPECT_EQ(numbersOfNames({"d/run3/x_1.vti", "d/run3/x_21.vti"}), (Numbers{{1, 21}}));
-	EXPECT_EQ(numbersOfNames({"3", "12"}), (Numbers{{3, 12}}));
+	EXPECT_EQ(numbersOfNames({"a_02.vti", "a_03.vti", "a_10.vti"}), (std::optional<std::vector<double>>{{2, 3, 10}}));
+	EXPECT_EQ(numbersOfNames({"a9.vti", "a10.vti"}), (std::optional<std::vector<double>>{{9, 10}}));
+	EXPECT_EQ(numbersOfNames({"d/run3/x_1.vti", "d/run3/x_21.vti"}), (std::optional<std::vector<double>>{{1, 21}}));
+	EXPECT_EQ(numbersOfNames({"3", "12"}), (std::optional<std::vector<double>>{{3, 12}}));
 	for (const std::vector<std::string>& others : {std::vector<std::string>{"a_1.vti"},
 	                                               {"a_1.vti", "b_1.vti"},
 	                                               {"a_1.vti", "a_2.vtu"},
@@ -27,7 +29,7 @@ TEST(Series, NumbersOfNames)
 TEST(Series, IsOneInput)
 {
 	const FileSeries series{{"a 1.vti", "b:\n2.vti"}, {-0.1, 1e300}};
-	const std::optional<FileSeries> read = parseSeries(seriesInput(series));
+	const std::optional<FileSeries> read = parseSeries(read::seriesInput(series));
 	ASSERT_TRUE(read);
 	EXPECT_EQ(read->files, series.files);
 	EXPECT_EQ(read->times, series.times);
@@ -35,4 +37,4 @@ TEST(Series, IsOneInput)
 		EXPECT_FALSE(parseSeries(other)) << other;
 }
 
-} // namespace vp::read::test
+} // namespace vp::test
