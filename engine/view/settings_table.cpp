@@ -50,7 +50,7 @@ Section inputSection(InputSpec& input)
 	     {"displace", &input.displace, "Move the points of Exodus files by their displacements times this factor",
 	      "SCALE"},
 	     {"format", format(&input.format),
-	      "Read INPUT as this format, which vprobe info --formats lists; otherwise the file tells", "NAME"},
+	      "Read INPUT as this format, which vprobe info `formats` lists; otherwise the file tells", "NAME"},
 	     {"raw_size", ofRaw(input, &raw.size, read::parseRawSize, read::rawSizeText),
 	      "Read INPUT as a raw volume of so many values; x runs fastest, and what precedes them is skipped",
 	      "NXxNYxNZ"},
@@ -124,7 +124,7 @@ Section lookSection(LookSpec& look)
 	          fmt::join(render::colorMapNames(), ", ")),
 	      kMapName},
 	     {"color_by", word(&look.color_by),
-	      "Color the polygons by the array, or by the generation in which the traversal met their cells (--seeds "
+	      "Color the polygons by the array, or by the generation in which the traversal met their cells (`seeds` "
 	      "hotspot shows the front)"},
 	     {"range", pair(&look.range), "Values at the ends of the color map (default: those of the whole array)",
 	      "LO HI"},
@@ -208,14 +208,14 @@ Section vectorSection(VectorSpec& vectors, VectorLookSpec& look)
 	      Limits{0.0, kMaxSteps, "; `vector_direction` backward goes against the flow"}},
 	     {"vector_dt", &vectors.dt,
 	      "Time of a step (default: the time in which the fastest particle moves by one spacing of the lattice; "
-	      "--stats has it)",
+	      "`stats` has it)",
 	      "DT", kAboveZero},
 	     {"vector_direction", word(&vectors.direction), "Particles follow the flow, go against it, or both"},
 	     {"vector_part", word(&vectors.part),
 	      "Part of the vector that moves the particles: the whole vector, its part in the sheet, or its part through "
 	      "the sheet"},
 	     {"path_lines", &vectors.path_lines,
-	      "Particles move while the field changes through the input's times, starting at --time. Without this option "
+	      "Particles move while the field changes through the input's times, starting at `time`. Without this option "
 	      "the field stands still"},
 	     {"vector_color",
 	      &look.color,
@@ -297,7 +297,7 @@ Section machineSection(ViewSpec& spec)
 	          Offer::with_cuts},
 	         {"strategy",
 	          word(&machine.strategy),
-	          "How cut cells are found, instead of the best way for each block, which --explain shows",
+	          "How cut cells are found, instead of the best way for each block, which `explain` shows",
 	          "",
 	          {},
 	          Offer::with_cuts},
