@@ -37,6 +37,9 @@ Result<CheckedInput> readChecked(const std::string& input, const ReadOptions& gi
 	const std::optional<FileSeries> series = parseSeries(input);
 	const std::string file = fileOf(input, given);
 	ReadOptions options = given;
+	if (series && given.time.kind == TimeChoice::Kind::index && given.time.index >= series->times.size())
+		return Error{ErrorKind::input, fmt::format("`time` #{}: the series has {} times, #0 to #{}", given.time.index,
+		                                           series->times.size(), series->times.size() - 1)};
 	if (series)
 		options.time = {};
 	Result<InputLimits> limits = inputLimits(file, options.solution, options.format);

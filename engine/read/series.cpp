@@ -28,12 +28,13 @@ bool isDigit(char c)
 // The grid of a file, and its times.
 struct FileFacts
 {
-	std::vector<std::uint64_t> geometry; // of each block; 0 where it is not known
+	std::vector<std::uint64_t> geometry; // each block's; 0 where it is not known
 	std::vector<double> times;
 };
 
 Result<FileFacts> factsOf(const std::string& file, ReadOptions options)
 {
+	options.time = {};
 	options.arrays = {.all = false};
 	options.builds_neighbors = false;
 	options.for_one_cut = true;

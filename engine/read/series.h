@@ -10,7 +10,7 @@
 namespace vp::read
 {
 
-/// What several inputs are to each other.
+/// How several inputs belong together.
 enum class InputsAs : std::uint8_t
 {
 	automatic, // times if their names differ by a number alone and their grids are the same, otherwise blocks

@@ -45,6 +45,9 @@ TEST_F(SeveralInputs, NumberedFilesOfOneGridAreTimes)
 	EXPECT_EQ(figure(slice(files + Arguments{"--time", "first"}), "mean"), 20.0);
 	EXPECT_EQ(figure(slice(files + Arguments{"--time", "3"}), "mean"), 30.0);
 	EXPECT_EQ(figure(slice(files + Arguments{"--time", "#2"}), "mean"), 100.0);
+	const Outcome late = slice(files + Arguments{"--time", "#3"});
+	EXPECT_EQ(late.status, 2);
+	EXPECT_TRUE(contains(late.err, "--time #3") && contains(late.err, "#0 to #2")) << late.err;
 	const Outcome told = run(Arguments{"info", "--json"} + files);
 	EXPECT_EQ(told.json().at("times"), (nlohmann::json{2.0, 3.0, 10.0}));
 	// A sweep over the times shows each.
