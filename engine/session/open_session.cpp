@@ -85,7 +85,7 @@ Result<grid::BlockSet> Session::readBlocks(const OpenOptions& options)
 {
 	const Progress progress(fmt::format("reading {}", fmt::join(spec_.input.files, ", ")));
 	read::ReadOptions reading = readOptions(spec_.input.time);
-	reading.identifies_geometry = options.reads_again || spec_.probe.vectors.path_lines;
+	reading.identifies_geometry = options.time_may_change || spec_.probe.vectors.path_lines;
 	reading.stop = options.stop;
 	const bool needs_neighbors = options.expect == Expect::more || needsNeighbors(spec_);
 	reading.builds_neighbors = needs_neighbors && options.ranks.buildsWhileReading();
