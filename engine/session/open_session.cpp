@@ -101,7 +101,7 @@ Result<grid::BlockSet> Session::readBlocks(const OpenOptions& options)
 	if (!inputs)
 		return inputs.error();
 	inputs_ = std::move(*inputs);
-	reading.identifies_geometry = options.reads_again || spec_.probe.vectors.path_lines;
+	reading.identifies_geometry = options.time_may_change || spec_.probe.vectors.path_lines;
 	reading.stop = options.stop;
 	const bool needs_neighbors = options.expect == Expect::more || needsNeighbors(spec_);
 	reading.builds_neighbors = needs_neighbors && options.ranks.buildsWhileReading();

@@ -80,7 +80,7 @@ Result<ExitCode> runRender(RenderOptions& options)
 	const view::ViewSpec& spec = options.common.spec;
 	if (Status ready = prepare(options.common); !ready)
 		return ready.error();
-	session::OpenOptions how{.expect = session::Expect::one_cut, .reads_all_arrays = false, .reads_again = false};
+	session::OpenOptions how{.expect = session::Expect::one_cut, .reads_all_arrays = false, .time_may_change = false};
 	if (options.common.explain)
 		return explain(spec, how);
 	const bool tells_place = options.output.empty() && options.stats != "-";

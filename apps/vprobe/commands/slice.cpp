@@ -154,8 +154,10 @@ Result<ExitCode> runSlice(const SliceOptions& options, const CLI::App& command)
 		return one.error();
 	const bool pictures = picture::namesPictures(options.output);
 	// Polygons are written with every array. Vertices are not joined if arrays jump between blocks.
-	const session::OpenOptions how{
-	    .expect = session::Expect::one_cut, .reads_all_arrays = !pictures, .reads_again = false, .ranks = processes()};
+	const session::OpenOptions how{.expect = session::Expect::one_cut,
+	                               .reads_all_arrays = !pictures,
+	                               .time_may_change = false,
+	                               .ranks = processes()};
 	if (Status fits = checkProcesses(options); !fits)
 		return fits.error();
 	if (options.common.explain)
