@@ -222,7 +222,7 @@ TEST(HardBorders, NegativeZeroIsThePlaceOfZero)
 	expectJoinedAsByOne(blocks, requestFor({{1.0, 0.0, 0.5}, {0.0, 1.0, 0.0}}), "in the plane of zero");
 }
 
-// Of the 4 + 1 vertices on each of four borders one is common to all: 4 x 4 + 1 places, 3 + 4 x 4 vertices too many. If
+// Each of four borders has 4 + 1 vertices, and one is common to all: 4 x 4 + 1 places, 3 + 4 x 4 vertices too many. If
 // rounding has parted one column, the three others know each other there, and the first of them knows it. One vertex
 // more is two then: at x = 0 the wind along y is nothing in one block, and a little in the other.
 TEST(HardBorders, AnEdgeOfFourRanksHasOneVertex)

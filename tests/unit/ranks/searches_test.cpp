@@ -15,7 +15,7 @@ namespace vp::test
 namespace
 {
 
-// What is told of a search besides the figures of its sheet.
+// The figures of a sheet, and what is told about the search for it.
 struct Told
 {
 	Figures figures;

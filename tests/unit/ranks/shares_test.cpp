@@ -100,7 +100,7 @@ TEST(Shares, EachBlockIsAtOneRank)
 		}
 }
 
-// What ranks cannot carry out as one process does is refused by its name, and one process carries out all of it.
+// Settings that ranks cannot carry out as one process does are refused by name. One process carries out all of them.
 TEST(Shares, WhatRanksCannotCarryOutIsRefused)
 {
 	struct Refused
