@@ -11,8 +11,8 @@
 namespace vp::mesh
 {
 
-// Clips polygons of a mesh, one at a time, at one side after the other. The vertices that it makes on the rim are those
-// of the mesh, and polygons share them.
+// Clips polygons of a mesh, one at a time, at one side after the other. The vertices that it makes on the rim are added
+// to the mesh, and polygons share them.
 class PolygonClipper
 {
 public:
@@ -28,7 +28,7 @@ public:
 	// Leaves in part() and others() what is left of a polygon. Returns false where that is nothing.
 	bool clip(std::span<const std::uint32_t> polygon, std::span<const std::uint8_t> is_added);
 	const Loop& part() const { return part_; }
-	std::vector<Loop>& others() { return others_; } // of a polygon that is not convex
+	std::vector<Loop>& others() { return others_; } // if the polygon is not convex
 
 	// Where an edge lies on another across a seam, and both are cut at the side, the cuts are a pair as their ends are.
 	void pairAcrossSeams(unsigned side);
