@@ -9,7 +9,7 @@ namespace vp::picture
 {
 
 /// Reads a PNG of 8 bits a channel to compare it with a picture of ours. Gray pictures and palettes become RGBA. A file
-/// of 16 bits a channel, and one that is larger than any picture of ours, is an input error.
+/// with 16 bits a channel, or larger than any picture of ours, is an input error.
 Result<render::Picture> readPng(const std::string& path);
 
 } // namespace vp::picture
