@@ -93,7 +93,7 @@ Status Verifier::open(const VerifyCase& one, bool draws, bool reads_all_arrays)
 	session::OpenOptions how{.use = draws && !no_device_ ? session::DeviceUse::draw : session::DeviceUse::classify,
 	                         .expect = session::Expect::one_cut,
 	                         .reads_all_arrays = reads_all_arrays,
-	                         .reads_again = false};
+	                         .time_may_change = false};
 	how.device = device_;
 	Result<std::unique_ptr<session::Session>> opened = session::Session::open(one.spec, how);
 	if (!opened && opened.error().kind == ErrorKind::device && how.use == session::DeviceUse::draw)
