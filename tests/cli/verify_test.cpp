@@ -32,7 +32,7 @@ protected:
 	Outcome verify(const Arguments& arguments) const { return run(Arguments{"verify"} + arguments); }
 };
 
-std::size_t count(const std::string& text, const std::string& part)
+std::size_t timesFound(const std::string& text, const std::string& part)
 {
 	std::size_t found = 0;
 	for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1))
@@ -107,7 +107,7 @@ TEST_F(Verify, ABrokenCaseDoesNotStopTheOthersAndItsCodeComesFirst)
 	EXPECT_EQ(outcome.status, 2);
 	EXPECT_TRUE(contains(outcome.err, "vprobe: " + path("a.json") + ": ")) << outcome.err;
 	EXPECT_TRUE(contains(outcome.err, "none.vtu")) << outcome.err;
-	EXPECT_EQ(count(outcome.err, "\n"), 2u) << outcome.err;
+	EXPECT_EQ(timesFound(outcome.err, "\n"), 2u) << outcome.err;
 	EXPECT_TRUE(contains(outcome.out, "differs  " + path("b.figures.json"))) << outcome.out;
 	EXPECT_TRUE(contains(outcome.out, "passed  " + path("d.figures.json"))) << outcome.out;
 	EXPECT_TRUE(contains(outcome.out, "1 passed, 1 different, 2 not judged")) << outcome.out;
@@ -149,7 +149,7 @@ TEST_F(Verify, JunitHoldsEachVerdict)
 	const std::string xml = contents(path("out/junit.xml"));
 	EXPECT_TRUE(xml.starts_with("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites ")) << xml;
 	EXPECT_TRUE(contains(xml, "tests=\"3\" failures=\"1\" errors=\"1\"")) << xml;
-	EXPECT_EQ(count(xml, "<testcase classname=\""), 3u);
+	EXPECT_EQ(timesFound(xml, "<testcase classname=\""), 3u);
 	EXPECT_TRUE(contains(xml, "<failure message=\"sheets/0/polygons is ")) << xml;
 	EXPECT_TRUE(contains(xml, "<error message=\"")) << xml;
 	EXPECT_TRUE(contains(xml, " name=\"a.figures.json\"")) << xml;

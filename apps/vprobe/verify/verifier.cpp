@@ -36,12 +36,13 @@ bool isThere(const std::string& file)
 
 bool wantsPicture(const VerifyCase& one)
 {
-	return one.has_picture || !one.hasAny(); // a state alone gets a picture and figures
+	return one.has_picture || !one.hasAny(); // a state alone gets one
 }
 
-bool wantsFigures(const VerifyCase& one)
+// Figures find what pictures do not show, so an update writes them beside each state.
+bool wantsFigures(const VerifyCase& one, bool updates)
 {
-	return one.has_figures || !one.hasAny();
+	return one.has_figures || updates;
 }
 
 Status writeText(const std::string& text, const std::string& file)
@@ -71,7 +72,7 @@ void Verifier::judge(std::span<const VerifyCase> cases)
 void Verifier::judgeGroup(std::span<const VerifyCase> group)
 {
 	// A session that was read for one case alone would lack the arrays of another.
-	const bool reads_all_arrays = group.size() > 1 || wantsFigures(group.front());
+	const bool reads_all_arrays = group.size() > 1 || wantsFigures(group.front(), options_.updates);
 	for (const VerifyCase& one : group)
 		if (one.wrong)
 			fail(about(one.state, false), *one.wrong);
@@ -164,7 +165,7 @@ void Verifier::judgeCase(const VerifyCase& one, bool reads_all_arrays)
 		judgePicture(one, frame, in_space);
 	if (one.has_flat)
 		judgeFlat(one, frame, flat);
-	if (wantsFigures(one))
+	if (wantsFigures(one, options_.updates))
 		judgeFigures(one, frame, tolerances);
 }
 
