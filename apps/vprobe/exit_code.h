@@ -14,6 +14,7 @@ enum class ExitCode
 	no_device = 3, // no usable Vulkan device
 	output = 4,    // output that cannot be written, and everything else
 	findings = 5,
+	differs = 6, // not as expected
 	interrupted = 130
 };
 

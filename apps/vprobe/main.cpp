@@ -7,7 +7,8 @@ int main(int argc, char** argv)
 	const vp::app::Program program{
 	    "vprobe",
 	    "Slices of volume data on any computational grid, by volume probes (Speray and Kennon, 1990).",
-	    "vprobe COMMAND --help tells a command's options. vprobe INPUT opens a window. INPUT is a file or demo:NAME[:N], N cells each way;\n"
+	    "vprobe COMMAND --help tells a command's options. vprobe INPUT opens a window. INPUT is a file or "
+	    "demo:NAME[:N], N cells each way;\n"
 	    "vprobe info demo: lists the built-in data sets. Try: vprobe render demo:shell --normal 0.3 0.5 0.8 -o "
 	    "shell.png",
 	    {

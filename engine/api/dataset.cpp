@@ -4,6 +4,7 @@
 #include "grid/check/memory.h"
 #include "probe/probe_file.h"
 #include "read/check_mesh.h"
+#include "view/settings.h"
 #include "view/words.h"
 
 #include <vprobe/dataset.h>
@@ -45,6 +46,8 @@ Result<Dataset> Dataset::open(const std::vector<std::string>& files, const OpenO
 		    if (files.empty())
 			    return Error{ErrorKind::usage, "there is no file to open; name one, or demo:NAME"};
 		    spec.input.time = *time;
+		    if (const vp::Status set = vp::view::setByKey(spec, "inputs", options.inputs); !set)
+			    return publicError(set.error());
 		    spec.input.solution = options.solution;
 		    spec.input.refine = options.refine;
 		    spec.input.displace = options.displace;

@@ -68,13 +68,13 @@ ClipBox boxOf(const cut::SheetCut& sheet, const Box& rect, std::optional<double>
 	return {sheet.sheet, box.lo, box.hi};
 }
 
-BoxContourer::BoxContourer(cut::Cutter& slicer, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh,
+BoxContourer::BoxContourer(const cut::Cutter& slicer, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh,
                            std::optional<double> depth)
     : BoxContourer(slicer, sheet, mesh, boxOf(sheet, rectOf(sheet, mesh), depth))
 {
 }
 
-BoxContourer::BoxContourer(cut::Cutter& slicer, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh,
+BoxContourer::BoxContourer(const cut::Cutter& slicer, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh,
                            const ClipBox& box)
     : slicer_(slicer), sheet_(sheet), mesh_(mesh), box_(box)
 {

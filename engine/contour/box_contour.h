@@ -50,10 +50,11 @@ class BoxContourer
 public:
 	// sheet: a plane whose array is of points; mesh: its cut within its window. Both, and the slicer, outlive this.
 	// depth: of the box along the normal, half to each side, in the grid's units; none: the smaller side of the window.
-	BoxContourer(cut::Cutter& slicer, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh,
+	BoxContourer(const cut::Cutter& slicer, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh,
 	             std::optional<double> depth);
 	// The same with a box that is known.
-	BoxContourer(cut::Cutter& slicer, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh, const ClipBox& box);
+	BoxContourer(const cut::Cutter& slicer, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh,
+	             const ClipBox& box);
 
 	// The window times the depth; without a window the bounds of the mesh take its place.
 	const ClipBox& box() const { return box_; }
@@ -83,7 +84,7 @@ private:
 	std::vector<std::vector<CellId>> seedsOf(double value) const; // per block
 	void findValues();
 
-	cut::Cutter& slicer_;
+	const cut::Cutter& slicer_;
 	const cut::SheetCut& sheet_;
 	const mesh::SheetMesh& mesh_;
 	ClipBox box_;

@@ -5,7 +5,8 @@
 namespace vp::contour
 {
 
-BoxTraversal::BoxTraversal(cut::Cutter& cutter, const std::vector<surface::BlockSurface>& surfaces, const ClipBox& box)
+BoxTraversal::BoxTraversal(const cut::Cutter& cutter, const std::vector<surface::BlockSurface>& surfaces,
+                           const ClipBox& box)
 {
 	const grid::BlockSet& blocks = cutter.blocks();
 	for (std::size_t b = 0; b < blocks.blocks.size(); ++b)

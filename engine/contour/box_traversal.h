@@ -20,7 +20,7 @@ class BoxTraversal
 {
 public:
 	// surfaces: as each block of the cutter sees the iso surface. Both outlive this.
-	BoxTraversal(cut::Cutter& cutter, const std::vector<surface::BlockSurface>& surfaces, const ClipBox& box);
+	BoxTraversal(const cut::Cutter& cutter, const std::vector<surface::BlockSurface>& surfaces, const ClipBox& box);
 	BoxTraversal(const BoxTraversal&) = delete;
 
 	// Returns what is found from these cells, per block.

@@ -85,7 +85,7 @@ public:
 	Result<Cut> regather(const Cut& kept, Timeline* timeline);
 
 	// Returns marks of a block's cells for a search that is not a cut, such as one that grows a contour from a sheet.
-	find::VisitedPool::Loan borrowMarks(std::size_t block) { return stores_[block]->visited.borrow(); }
+	find::VisitedPool::Loan borrowMarks(std::size_t block) const { return stores_[block]->visited.borrow(); }
 
 	const grid::BlockSet& blocks() const { return blocks_; }
 	bool usesGpu() const { return gpu_ != nullptr; }

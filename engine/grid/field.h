@@ -68,8 +68,8 @@ double loadNumber(NumberType type, const std::byte* at);
 template <class T>
 Field makeField(std::string name, Association association, int components, std::vector<T> values);
 
-// The number of a tuple that is shown is one component, or, with this, the length of the tuple. The length of a symmetric
-// tensor of six components is that of all nine.
+// The number of a tuple that is shown is one component, or, with this, the length of the tuple. The length of a
+// symmetric tensor of six components is that of all nine.
 constexpr int kMagnitude = -1;
 
 // The smallest and the largest finite value, and whether there are infinite ones. NaN is ignored.

@@ -9,8 +9,8 @@
 namespace vp::grid
 {
 
-/// What a file of a scanner, a microscope or a camera says of how it is looked at. Pictures begin with it; no figure
-/// depends on it.
+/// A file of a scanner, a microscope or a camera says how it is looked at. Pictures begin with it; no figure depends on
+/// it.
 struct Imaging
 {
 	std::string orientation{}; // how the coordinates lie, as parseOrientation() takes it; mostly empty

@@ -114,7 +114,12 @@ Result<Painter> Painter::create(session::Session& session, view::ResolvedLook lo
 	Result<render::Renderer> renderer = session.takeRenderer();
 	if (!renderer)
 		return renderer.error();
-	Painter painter(session, {session, std::move(look)}, std::move(*renderer));
+	return create(session, std::move(look), std::move(*renderer));
+}
+
+Result<Painter> Painter::create(session::Session& session, view::ResolvedLook look, render::Renderer renderer)
+{
+	Painter painter(session, {session, std::move(look)}, std::move(renderer));
 	if (Status taken = painter.takeBlocks(); !taken)
 		return taken.error();
 	return painter;

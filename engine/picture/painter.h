@@ -26,6 +26,9 @@ class Painter
 {
 public:
 	static Result<Painter> create(session::Session& session, view::ResolvedLook look);
+	// The same with the renderer of another painter on the same device. Pipelines are not compiled again.
+	static Result<Painter> create(session::Session& session, view::ResolvedLook look, render::Renderer renderer);
+	render::Renderer takeRenderer() && { return std::move(renderer_); }
 
 	// Sets the look from the next picture on. A camera that the look does not fix is fitted again.
 	Status setLook(view::ResolvedLook look);

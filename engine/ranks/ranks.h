@@ -64,13 +64,13 @@ public:
 	const Share& share() const { return *share_; }
 	void take(std::shared_ptr<const Share> share) { share_ = std::move(share); }
 	std::shared_ptr<const ParticleBorders>& knownBorders() const { return borders_; }
-	std::uint64_t& sentBytes() { return layer_bytes_; }
+	std::uint64_t& sentBytes() const { return layer_bytes_; }
 
 private:
 	Team* team_;
 	std::shared_ptr<const Share> share_;                       // with a team
 	mutable std::shared_ptr<const ParticleBorders> borders_{}; // of the blocks as they are now, once they are asked for
-	std::uint64_t layer_bytes_ = 0;
+	mutable std::uint64_t layer_bytes_ = 0;                    // counted while pictures are drawn
 };
 
 } // namespace vp::ranks

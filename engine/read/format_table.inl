@@ -68,7 +68,7 @@ VP_FORMAT("mpas", "", "netCDF of the models MPAS, over the cells of their mesh",
           "vprobe, netCDF", alone, head.holds("nCells") && head.holds("verticesOnCell") && head.holds("nVertLevels"),
           more, Mpas)
 VP_FORMAT("slac", ".ncdf", "SLAC meshes of accelerators (netCDF), with a file of modes",
-          "volumes of tetrahedra; modes at points; time", "vprobe, netCDF", beside,
+          "volumes of tetrahedra; modes at points; time", "VTK, netCDF", beside,
           head.holds("tetrahedron_exterior") || head.holds("tetrahedron_interior"), more, Slac)
 VP_FORMAT("netcdf", ".nc .nc4 .cdf", "netCDF, classic and netCDF-4, of the CF conventions",
           "axes by their attributes; missing and packed values; times; units", "vprobe, netCDF", linked,

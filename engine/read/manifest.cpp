@@ -5,6 +5,7 @@
 #include "read/check_curved.h"
 #include "read/check_mesh.h"
 #include "read/collapsed_cells.h"
+#include "read/manifest_values.h"
 #include "read/placed_cells.h"
 #include "read/protocol.h"
 
@@ -12,7 +13,6 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
-#include <cmath>
 
 namespace vp::read
 {
@@ -25,32 +25,7 @@ using nlohmann::json;
 
 // More than any tensor or spectrum in a file; keeps tuples x components x bytes far from overflow.
 constexpr std::uint64_t kMaxComponents = 1 << 16;
-constexpr std::uint64_t kAnyCount = ~std::uint64_t(0);
 constexpr std::size_t kMaxWarnings = 20;
-constexpr std::size_t kMaxWords = 300;
-
-std::uint64_t countOf(const json& value)
-{
-	if (!value.is_number_unsigned())
-		throw Unusable("a count is not a whole number");
-	return value.get<std::uint64_t>();
-}
-
-double finiteOf(const json& value)
-{
-	if (!value.is_number() || !std::isfinite(value.get<double>()))
-		throw Unusable("an origin, a spacing or a time is not a finite number");
-	return value.get<double>();
-}
-
-Vec3 vectorOf(const json& value)
-{
-	if (!value.is_array() || value.size() != 3)
-		throw Unusable("a vector does not have three numbers");
-	return {finiteOf(value[0]), finiteOf(value[1]), finiteOf(value[2])};
-}
-
-std::string wordsOf(const json& value);
 
 grid::Imaging imagingOf(const json& manifest)
 {
@@ -58,29 +33,14 @@ grid::Imaging imagingOf(const json& manifest)
 	grid::Imaging result{wordsOf(imaging.value("orientation", json(""))), imaging.value("gray", false)};
 	if (const auto window = imaging.find("window"); window != imaging.end())
 	{
-		const auto [lo, hi] = window->get<std::pair<double, double>>();
-		if (!(lo < hi) || !std::isfinite(hi - lo))
-			throw Unusable("a window of values is none");
+		if (!window->is_array() || window->size() != 2)
+			throw Unusable("a window of values does not have two ends");
+		const double lo = finiteOf((*window)[0]), hi = finiteOf((*window)[1]);
+		if (!(lo < hi))
+			throw Unusable("a window of values is empty");
 		result.window = {lo, hi};
 	}
 	return result;
-}
-
-std::string wordsOf(const json& value)
-{
-	std::string words = value.get<std::string>().substr(0, kMaxWords);
-	for (char& c : words)
-		if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
-			c = ' ';
-	return words;
-}
-
-NumberType numberTypeOf(const std::string& name)
-{
-	for (int type = 0; type <= static_cast<int>(NumberType::float64); ++type)
-		if (name == grid::numberTypeName(static_cast<NumberType>(type)))
-			return static_cast<NumberType>(type);
-	throw Unusable("an array has an unknown number type");
 }
 
 class Checker
@@ -164,42 +124,6 @@ private:
 			    (b > 0 && input.blocks[b].part < input.blocks[b - 1].part))
 				throw Unusable("the parts of blocks are out of order");
 		}
-	}
-
-	// The bytes of an array that holds so many numbers of its type.
-	static Array<std::byte> bytesOf(const SharedBytes& memory, const json& array, NumberType type,
-	                                std::uint64_t numbers)
-	{
-		const std::uint64_t offset = countOf(array.at("offset"));
-		const std::uint64_t bytes = countOf(array.at("bytes"));
-		if (offset % kArrayAlignment != 0 || offset > memory.bytes.size() || bytes > memory.bytes.size() - offset)
-			throw Unusable("an array lies outside what was handed over");
-		if (bytes % byteSize(type) != 0 || (numbers != kAnyCount && bytes / byteSize(type) != numbers))
-			throw Unusable("an array has another size than it should");
-		return {memory.owner, memory.bytes.data() + offset, static_cast<std::size_t>(bytes)};
-	}
-
-	template <class T>
-	static Array<T> numbersOf(const SharedBytes& memory, const json& array, NumberType type,
-	                          std::uint64_t numbers = kAnyCount)
-	{
-		if (numberTypeOf(array.at("type").get<std::string>()) != type)
-			throw Unusable("an array has another number type than it should");
-		const Array<std::byte> bytes = bytesOf(memory, array, type, numbers);
-		return {memory.owner, reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
-	}
-
-	static grid::Points coordinatesOf(const SharedBytes& memory, const json& array, std::uint64_t points = kAnyCount)
-	{
-		const std::uint64_t numbers = points == kAnyCount ? kAnyCount : points * 3;
-		const bool is_double = array.at("type") == "float64";
-		grid::Points checked = is_double ? grid::Points(numbersOf<double>(memory, array, NumberType::float64, numbers))
-		                                 : grid::Points(numbersOf<float>(memory, array, NumberType::float32, numbers));
-		if (countOf(array.at("bytes")) != checked.size() * 3 * (is_double ? 8 : 4))
-			throw Unusable("points without three coordinates");
-		if (checked.size() >= kMaxBlockIds)
-			throw Unusable(fmt::format("a block of {} points is too large; split it", checked.size()));
-		return checked;
 	}
 
 	// Which of the file's cells each cell is part of.

@@ -8,6 +8,7 @@
 #include "read/geometry.h"
 #include "read/input_limits.h"
 #include "read/sandbox.h"
+#include "read/series.h"
 
 #include <fmt/format.h>
 
@@ -24,9 +25,24 @@ namespace
 
 constexpr std::string_view kDemoPrefix = "demo:";
 
-Result<CheckedInput> readChecked(const std::string& file, const ReadOptions& options, Timeline* timeline)
+// Returns the file of an input that is read at the time of the options; an input that is no series is itself.
+std::string fileOf(const std::string& input, const ReadOptions& options)
+{
+	const std::optional<FileSeries> series = parseSeries(input);
+	return series ? series->files[timeIndex(series->times, options.time)] : input;
+}
+
+Result<CheckedInput> readChecked(const std::string& input, const ReadOptions& given, Timeline* timeline)
 {
 	TimedSection timed(timeline, "read");
+	const std::optional<FileSeries> series = parseSeries(input);
+	const std::string file = fileOf(input, given);
+	ReadOptions options = given;
+	if (series && given.time.kind == TimeChoice::Kind::index && given.time.index >= series->times.size())
+		return Error{ErrorKind::input, fmt::format("`time` #{}: the series has {} times, #0 to #{}", given.time.index,
+		                                           series->times.size(), series->times.size() - 1)};
+	if (series)
+		options.time = {};
 	Result<InputLimits> limits = inputLimits(file, options.solution, options.format);
 	if (!limits)
 		return limits.error();
@@ -39,6 +55,8 @@ Result<CheckedInput> readChecked(const std::string& file, const ReadOptions& opt
 		return unusable(file, checked.error());
 	noteFiles(*checked);
 	noteSandbox(checked->sandbox);
+	if (series)
+		checked->times = series->times;
 	return checked;
 }
 
@@ -55,11 +73,12 @@ Result<grid::BlockSet> readFile(const std::string& file, const ReadOptions& opti
 	Result<CheckedInput> input = readChecked(file, options, timeline);
 	if (!input)
 		return input.error();
+	const std::string name_of_file = fileOf(file, options);
 	for (const std::string& warning : input->warnings)
-		warn("{}: {}", file, warning);
+		warn("{}: {}", name_of_file, warning);
 
 	TimedSection timed(timeline, "build");
-	const std::string stem = std::filesystem::path(file).stem().string();
+	const std::string stem = std::filesystem::path(name_of_file).stem().string();
 	grid::BlockSet set;
 	set.times = std::move(input->times);
 	set.time_units = std::move(input->time_units);
@@ -204,9 +223,9 @@ Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const 
 		if (!set)
 			return set.error();
 		if (options.stop.stop_requested())
-			return stopped(input);
+			return stopped(fileOf(input, options));
 		if (set->blocks.empty())
-			empty.push_back(input);
+			empty.push_back(fileOf(input, options));
 		addSet(std::move(*set), all);
 	}
 	if (all.blocks.empty() && !empty.empty())

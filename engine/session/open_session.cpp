@@ -67,6 +67,17 @@ read::ReadOptions readOptions(const view::ViewSpec& spec, const read::TimeChoice
 	        .raw = input.raw};
 }
 
+Result<grid::BlockSet> readInputs(const view::ViewSpec& spec, bool patches)
+{
+	read::ReadOptions reading = readOptions(spec, spec.input.time);
+	reading.patches = reading.patches || patches;
+	const Result<std::vector<std::string>> inputs =
+	    read::takeInputs(spec.input.files, spec.input.inputs_as, readOptions(spec, spec.input.time));
+	if (!inputs)
+		return inputs.error();
+	return read::readInputs(*inputs, reading, nullptr);
+}
+
 read::ReadOptions Session::readOptions(const read::TimeChoice& time) const
 {
 	read::ReadOptions reading = session::readOptions(spec_, time);
@@ -78,14 +89,19 @@ read::ReadOptions Session::readOptions(const read::TimeChoice& time) const
 // Reads the inputs: all of them, or the share of this rank.
 Result<grid::BlockSet> Session::readInputs(const read::ReadOptions& options)
 {
-	return ranks::readInputs(ranks_, spec_.input.files, options, timeline_.get());
+	return ranks::readInputs(ranks_, inputs_, options, timeline_.get());
 }
 
 Result<grid::BlockSet> Session::readBlocks(const OpenOptions& options)
 {
 	const Progress progress(fmt::format("reading {}", fmt::join(spec_.input.files, ", ")));
 	read::ReadOptions reading = readOptions(spec_.input.time);
-	reading.identifies_geometry = options.reads_again || spec_.probe.vectors.path_lines;
+	Result<std::vector<std::string>> inputs =
+	    read::takeInputs(spec_.input.files, spec_.input.inputs_as, session::readOptions(spec_, spec_.input.time));
+	if (!inputs)
+		return inputs.error();
+	inputs_ = std::move(*inputs);
+	reading.identifies_geometry = options.time_may_change || spec_.probe.vectors.path_lines;
 	reading.stop = options.stop;
 	const bool needs_neighbors = options.expect == Expect::more || needsNeighbors(spec_);
 	reading.builds_neighbors = needs_neighbors && options.ranks.buildsWhileReading();

@@ -4,6 +4,7 @@
 #include "base/timeline.h"
 #include "classify/gpu_break_even.h"
 #include "cut/cutter.h"
+#include "cut/integrity.h"
 #include "gpu/device.h"
 #include "grid/block.h"
 #include "measure/finite_fields.h"
@@ -91,7 +92,7 @@ struct OpenOptions
 	DeviceUse use = DeviceUse::classify;
 	Expect expect = Expect::more; // of the first frame: what is built while the inputs are read
 	bool reads_all_arrays = true; // read all arrays, not only those that are shown
-	bool reads_again = true;      // the inputs may be read again at other times
+	bool time_may_change = true;  // goTo() may be called: it keeps the grid if that is the same at the other time
 	Timeline::Keep keep = Timeline::Keep::totals;
 	std::shared_ptr<gpu::Device> device{};      // an open device; null opens the device of the settings
 	std::stop_token stop{};                     // a stop request ends the opening with ErrorKind::cancelled
@@ -130,6 +131,9 @@ public:
 	/// numbers, and frames that were made before become invalid.
 	Result<bool> needsNeighborsFor(const FrameRequest& request) const;
 
+	/// Sweeps planes through the blocks to find cells that no sound grid has.
+	Result<cut::SweepFindings> findImpossibleCells() { return cut::sweepForImpossibleCases(*cutter_); }
+
 	/// Builds what the blocks lack for further cuts (grid::isComplete), such as neighbors of cells, and a new cutter.
 	/// Frames that were made before become invalid. A stop request ends it with ErrorKind::cancelled, and leaves all as
 	/// it was.
@@ -163,19 +167,20 @@ public:
 	const Stamp& stamp() const { return stamp_; }
 
 	const view::ViewSpec& spec() const { return spec_; }
+	/// The inputs as the functions of read.h take them: the files, or one series.
+	const std::vector<std::string>& inputs() const { return inputs_; }
 	const view::ResolvedView& view() const { return view_; }
 	const grid::BlockSet& blocks() const { return blocks_; }
 	const LaunchState& launch() const { return launch_; }
 	const std::shared_ptr<gpu::Device>& device() const { return device_; } // null if the CPU needs no device
 	/// What was measured if a device may classify: from how many cells on it is faster.
 	const std::optional<classify::BreakEven>& breakEven() const { return break_even_; }
-	cut::Cutter& cutter() const { return *cutter_; }
+	const cut::Cutter& cutter() const { return *cutter_; }
 	measure::FiniteFields* finiteFields() const { return finite_fields_.get(); }
 	Timeline* timeline() const { return timeline_.get(); }
 	/// The processes that hold the blocks together. The blocks of others have no cells here. Functions that say so must
 	/// be called by all of them.
 	const ranks::Ranks& ranks() const { return ranks_; }
-	ranks::Ranks& ranks() { return ranks_; }
 
 private:
 	Session() = default;
@@ -200,6 +205,7 @@ private:
 	cut::CutRequest cutRequest(const FrameRequest& request) const;
 
 	view::ViewSpec spec_;
+	std::vector<std::string> inputs_;
 	view::ResolvedView view_;
 	bool is_resolved_ = false; // the view is that of the settings
 	grid::BlockSet blocks_;
@@ -218,6 +224,10 @@ private:
 
 /// Returns the options that read the inputs at a time, with all arrays.
 read::ReadOptions readOptions(const view::ViewSpec& spec, const read::TimeChoice& time);
+
+/// Reads the inputs of the settings at their time, as a session does, with all neighbors. patches: named parts of the
+/// boundary too.
+Result<grid::BlockSet> readInputs(const view::ViewSpec& spec, bool patches = false);
 
 /// Returns true if the settings need neighbors, whatever a plan says: for whole cells, vectors, grid surfaces,
 /// contours, or surfaces around the sheets.

@@ -33,12 +33,12 @@ Result<vectors::StoredVectors> storedVectors(const Session& session, const grid:
 		             fmt::format("{}: has no several times for `path_lines`; leave the setting out", input)};
 	vectors::StoredVectors stored{session.blocks().times, {}};
 	stored.times.erase(std::unique(stored.times.begin(), stored.times.end()), stored.times.end()); // equal ones once
-	stored.load = [spec, input, array, times = stored.times, &blocks = session.blocks(),
+	stored.load = [spec, input, array, inputs = session.inputs(), times = stored.times, &blocks = session.blocks(),
 	               timeline = session.timeline()](std::size_t index) -> Result<std::vector<grid::Field>>
 	{
 		const read::TimeChoice time{read::TimeChoice::Kind::value, times[index]};
 		Result<std::optional<read::BlockFields>> read =
-		    read::readFields(spec.input.files, readOptions(spec, time), blocks, timeline);
+		    read::readFields(inputs, readOptions(spec, time), blocks, timeline);
 		if (!read)
 			return read.error();
 		if (!*read)

@@ -18,7 +18,7 @@ Status Session::goTo(const read::TimeChoice& time)
 {
 	const read::ReadOptions at = readOptions(time);
 	const Result<bool> same_grid =
-	    ranks_.keepsParts() ? read::readValues(spec_.input.files, at, blocks_, timeline_.get()) : false;
+	    ranks_.keepsParts() ? read::readValues(inputs_, at, blocks_, timeline_.get()) : false;
 	if (!same_grid)
 		return same_grid.error();
 	if (*same_grid)

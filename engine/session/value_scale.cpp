@@ -58,8 +58,7 @@ Result<std::optional<render::ValueScale>> valueScale(const Session& session,
 	if (const auto window = scan_window ? windowOfScan(session, *field, span) : std::nullopt)
 	{
 		std::tie(scale.lo, scale.hi) = *window;
-		scale.below = scale.below || lo < scale.lo;
-		scale.above = scale.above || hi > scale.hi;
+		scale.is_window = true;
 	}
 	if (!look.logarithmic)
 		return std::optional(scale);

@@ -31,7 +31,11 @@ Section inputSection(InputSpec& input)
 	    "input",
 	    "",
 	    {{"files", Files{&input.files},
-	      "A file, or demo:NAME[:N]. Several inputs make one data set. Reads " + read::readableEndings(), "INPUT"},
+	      "A file, or demo:NAME[:N]. Several inputs make one data set or one series. Reads " + read::readableEndings(),
+	      "INPUT"},
+	     {"inputs", word(&input.inputs_as),
+	      "What several inputs are to each other. blocks: together they are one data set; times: each is a time of a "
+	      "series. auto: times if their names differ by a number alone and their grids are the same, else blocks"},
 	     {"time", written(&input.time, read::parseTime, read::timeText),
 	      "Time to read: last, first, a time (the nearest one that the file has), or #INDEX from 0"},
 	     {"solution", File{&input.solution},
@@ -46,7 +50,7 @@ Section inputSection(InputSpec& input)
 	     {"displace", &input.displace, "Move the points of Exodus files by their displacements times this factor",
 	      "SCALE"},
 	     {"format", format(&input.format),
-	      "Read INPUT as this format, which vprobe info --formats lists; otherwise the file tells", "NAME"},
+	      "Read INPUT as this format, which vprobe info `formats` lists; otherwise the file tells", "NAME"},
 	     {"raw_size", ofRaw(input, &raw.size, read::parseRawSize, read::rawSizeText),
 	      "Read INPUT as a raw volume of so many values; x runs fastest, and what precedes them is skipped",
 	      "NXxNYxNZ"},
@@ -120,7 +124,7 @@ Section lookSection(LookSpec& look)
 	          fmt::join(render::colorMapNames(), ", ")),
 	      kMapName},
 	     {"color_by", word(&look.color_by),
-	      "Color the polygons by the array, or by the generation in which the traversal met their cells (--seeds "
+	      "Color the polygons by the array, or by the generation in which the traversal met their cells (`seeds` "
 	      "hotspot shows the front)"},
 	     {"range", pair(&look.range), "Values at the ends of the color map (default: those of the whole array)",
 	      "LO HI"},
@@ -204,14 +208,14 @@ Section vectorSection(VectorSpec& vectors, VectorLookSpec& look)
 	      Limits{0.0, kMaxSteps, "; `vector_direction` backward goes against the flow"}},
 	     {"vector_dt", &vectors.dt,
 	      "Time of a step (default: the time in which the fastest particle moves by one spacing of the lattice; "
-	      "--stats has it)",
+	      "`stats` has it)",
 	      "DT", kAboveZero},
 	     {"vector_direction", word(&vectors.direction), "Particles follow the flow, go against it, or both"},
 	     {"vector_part", word(&vectors.part),
 	      "Part of the vector that moves the particles: the whole vector, its part in the sheet, or its part through "
 	      "the sheet"},
 	     {"path_lines", &vectors.path_lines,
-	      "Particles move while the field changes through the input's times, starting at --time. Without this option "
+	      "Particles move while the field changes through the input's times, starting at `time`. Without this option "
 	      "the field stands still"},
 	     {"vector_color",
 	      &look.color,
@@ -293,7 +297,7 @@ Section machineSection(ViewSpec& spec)
 	          Offer::with_cuts},
 	         {"strategy",
 	          word(&machine.strategy),
-	          "How cut cells are found, instead of the best way for each block, which --explain shows",
+	          "How cut cells are found, instead of the best way for each block, which `explain` shows",
 	          "",
 	          {},
 	          Offer::with_cuts},

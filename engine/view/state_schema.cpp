@@ -94,9 +94,9 @@ std::string stateSchema()
 	                    {"$id", "state.schema.json"},
 	                    {"title", "State"},
 	                    {"description",
-	                     "What --save keeps of a command line and --state brings back. A key is the name "
-	                     "of an option, with _ for -. What is left out is as without the option. Names "
-	                     "of files are relative to the folder of the state."},
+	                     "The settings of a cut and its picture. A key is the name of an option, with _ for -. "
+	                     "What is left out is as without the option. Names of files are relative to the "
+	                     "folder of this file."},
 	                    {"required", {"version"}}};
 	schema.update(objectOf(std::move(sections)));
 	return schema.dump(1, '\t') + '\n';

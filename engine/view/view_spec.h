@@ -11,6 +11,7 @@
 #include "probe/presets.h"
 #include "probe/probe_file.h"
 #include "read/read.h"
+#include "read/series.h"
 #include "render/scene/camera.h"
 #include "render/scene/look.h"
 #include "seed/seeds.h"
@@ -37,7 +38,8 @@ namespace vp::view
 
 struct InputSpec
 {
-	std::vector<std::string> files; // or demo:NAME[:N]; several make one block set
+	std::vector<std::string> files;                       // or demo:NAME[:N]
+	read::InputsAs inputs_as = read::InputsAs::automatic; // what several files are to each other
 	read::TimeChoice time{};
 	std::string solution; // PLOT3D solution file, if its name does not follow from the grid's name
 	// How often the linear parts of curved cells are halved, 0 to read::kMaxRefine; or a tolerance, read::isTolerance()

@@ -115,6 +115,13 @@ struct Names<AxesStyle>
 	                                   std::pair{AxesStyle::none, "none"}};
 };
 template <>
+struct Names<read::InputsAs>
+{
+	static constexpr std::array kWords{std::pair{read::InputsAs::automatic, "auto"},
+	                                   std::pair{read::InputsAs::blocks, "blocks"},
+	                                   std::pair{read::InputsAs::times, "times"}};
+};
+template <>
 struct Names<render::Projection>
 {
 	static constexpr std::array kWords{std::pair{render::Projection::perspective, "perspective"},

@@ -1,36 +1,12 @@
 #include "similar_pictures.h"
 
-#include <png.h>
+#include "png_pixels.h"
 
 #include <cstdlib>
 #include <vector>
 
 namespace cli
 {
-
-namespace
-{
-
-struct Pixels
-{
-	unsigned width = 0;
-	std::vector<unsigned char> rgba; // empty where the file cannot be read
-};
-
-Pixels readPixels(const std::string& path)
-{
-	png_image image{};
-	image.version = PNG_IMAGE_VERSION;
-	if (!png_image_begin_read_from_file(&image, path.c_str()))
-		return {};
-	image.format = PNG_FORMAT_RGBA;
-	Pixels pixels{image.width, std::vector<unsigned char>(PNG_IMAGE_SIZE(image))};
-	if (!png_image_finish_read(&image, nullptr, pixels.rgba.data(), 0, nullptr))
-		return {};
-	return pixels;
-}
-
-} // namespace
 
 testing::AssertionResult areSimilar(const std::string& path, const std::string& other_path)
 {

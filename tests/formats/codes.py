@@ -274,4 +274,47 @@ def mfix_cylinder(folder):
         assert found['arrays'][0]['components'] == 3, found['arrays']
 
 
-CASES = [converge, fluent_hdf5, fluent_gzip, slac, mfix, mfix_cylinder]
+def lsdyna(folder):
+    """Values at nodes in the order that VTK's reader knows from LS-DYNA's own files: places, temperatures, velocities.
+    It crashes unless the states are in files of their own."""
+    meshio, numpy, vtk = need('meshio'), need('numpy'), need('vtkmodules.vtkIOLSDyna')
+    mesh = mixed_mesh(meshio, numpy)
+    cells = mesh.cells[0].data
+    used, lists = numpy.unique(cells, return_inverse=True)
+    points, f, g = mesh.points[used], mesh.point_data['f'][used], mesh.cell_data['g'][0]
+    meshio.write(folder / 'reference.vtu', meshio.Mesh(points, [('hexahedron', lists.reshape(-1, 8))],
+                                                       point_data={'f': f}, cell_data={'g': [g]}))
+    control = numpy.zeros(64, dtype='<i8')
+    for word, number in ((11, 1), (15, 4), (16, len(points)), (17, 6), (18, 6), (19, 1), (20, 1), (21, 1),
+                         (23, len(cells)), (24, 1), (27, 7), (51, 1)):
+        control[word] = number
+    control[14:15].view('<f8')[:] = 971.0
+    solids = numpy.hstack([lists.reshape(-1, 8) + 1, numpy.ones((len(cells), 1))]).astype('<i8')
+    mark = numpy.array([-999999.0]).tobytes()
+    (folder / 'd3plot').write_bytes(control.tobytes() + (points - 7).tobytes() + solids.tobytes() + mark)
+    velocity = numpy.stack([f, -f, 0.5 * f], axis=1)
+    stresses = numpy.hstack([numpy.zeros((len(cells), 6)), g[:, None]])
+    for number in (1, 2):
+        state = [numpy.array([0.5 * number]), numpy.ones(6), points.ravel(), number / 2 * f, velocity.ravel(),
+                 stresses.ravel()]
+        (folder / f'd3plot0{number}').write_bytes(numpy.concatenate(state).tobytes() + mark)
+    compare(folder / 'd3plot', folder / 'reference.vtu', [('point:temperature', 'point:f'),
+                                                          ('cell:plastic strain', 'cell:g')])
+    reader = vtk.vtkLSDynaReader()
+    reader.SetFileName(str(folder / 'd3plot'))
+    reader.UpdateInformation()
+    for index in range(reader.GetNumberOfPointArrays()):
+        reader.SetPointArrayStatus(reader.GetPointArrayName(index), 1)
+    reader.SetTimeStep(1)
+    reader.Update()
+    theirs = reader.GetOutput().GetBlock(0)
+    ours = info(folder / 'd3plot')
+    assert [round(x, 9) for x in theirs.GetBounds()] == [round(x, 9) for x in ours['bounds']], theirs.GetBounds()
+    ranges = {a['name']: a['range'] for a in ours['arrays']}
+    for name, named in (('temperature', 'Temperature'), ('velocity', 'Velocity'), ('displacement', 'Deflection')):
+        array = theirs.GetPointData().GetArray(named)
+        least, greatest = array.GetRange(-1)
+        assert near(least, ranges[name][0]) and near(greatest, ranges[name][1]), (name, least, greatest, ranges[name])
+
+
+CASES = [converge, fluent_hdf5, fluent_gzip, slac, mfix, mfix_cylinder, lsdyna]

@@ -303,4 +303,44 @@ def mfix_times(folder):
     assert 'no time was written to its .SP6' in conventions.noted(path), conventions.noted(path)
 
 
-CASES = [fluent_pieces, gambit_groups, mfix_times, damaged_codes, damaged_netcdf, damaged_cgns, damaged_zarr, missing_parts, same_names]
+def converge_places(folder):
+    """A list of coordinates that is shorter than the others, whichever it is."""
+    h5py = need('h5py')
+    codes.converge(folder)
+    path = folder / 'turned.h5'
+    for axis in 'XYZ':
+        with h5py.File(path, 'r+') as file:
+            name = f'STREAM_00/VERTEX_COORDINATES/{axis}'
+            whole = file[name][:]
+            del file[name]
+            file[name] = whole[:-1]
+        refused(path, 'not as many coordinates')
+        with h5py.File(path, 'r+') as file:
+            del file[name]
+            file[name] = whole
+    assert isinstance(told(path), dict)
+
+
+def slac_meshes(folder):
+    """VTK's reader takes ids as they come, and zeros for what a short file lacks."""
+    netcdf4 = need('netCDF4')
+    codes.slac(folder)
+    mesh, modes = folder / 'mesh.ncdf', folder / 'mode.nc'
+    for path in (mesh, modes):
+        whole = path.read_bytes()
+        path.write_bytes(whole[:len(whole) * 9 // 10])
+        refused(mesh, 'bytes where its header asks for', options=('--solution', modes))
+        path.write_bytes(whole)
+    for name in ('tetrahedron_interior', 'tetrahedron_exterior'):
+        for point in (60, -7):
+            with netcdf4.Dataset(mesh, 'r+') as file:
+                before = int(file[name][3, 2])
+                file[name][3, 2] = point
+            refused(mesh, f'point {point} of 60', options=('--solution', modes))
+            with netcdf4.Dataset(mesh, 'r+') as file:
+                file[name][3, 2] = before
+    assert isinstance(told(mesh, '--solution', modes), dict)
+
+
+CASES = [slac_meshes, converge_places, fluent_pieces, gambit_groups, mfix_times, damaged_codes, damaged_netcdf,
+         damaged_cgns, damaged_zarr, missing_parts, same_names]

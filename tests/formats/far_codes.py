@@ -224,7 +224,7 @@ def codes(folder, box):
     control[14:15].view('<f8')[:] = 971.0
     solids = numpy.hstack([box.cells + 1, numpy.ones((cells, 1))]).astype('<i8')
     stresses = numpy.hstack([numpy.zeros((cells, 6)), box.c[:, None]])
-    state = [numpy.array([0.5]), numpy.ones(6), box.u, box.points.ravel(), stresses.ravel(), numpy.array([-999999.0])]
+    state = [numpy.array([0.5]), numpy.ones(6), box.points.ravel(), box.u, stresses.ravel(), numpy.array([-999999.0])]
     (folder / 'd3plot').write_bytes(control.tobytes() + (box.points - 1000).tobytes() + solids.tobytes()
                                     + numpy.concatenate(state).tobytes())
     yield 'd3plot', 'temperature', 'plastic strain'

@@ -118,7 +118,7 @@ def pictures_of_frames(folder):
         item.BitsAllocated = item.BitsStored = 8
         item.HighBit, item.PixelRepresentation, item.InstanceNumber = 7, 0, k
         item.PixelData = volume()[:, :, k].T.tobytes()
-        item.save_as(series / f'{k}.dcm')
+        item.save_as(series / f'{k}.dcm', write_like_original=False)
     assert pydicom.dcmread(series / '0.dcm').Rows == SIDE
     expect(folder, series / '0.dcm', {'z': ('right', 'bottom'), 'y': ('right', 'top'), 'x': ('right', 'top')})
 

@@ -36,7 +36,9 @@ class Programs:
             pytest.skip('needs vprobe, vprobe-mpi and mpiexec (openmpi-bin)')
         # mpiexec, too, would look at the displays of other tests, and end with them.
         self.environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1',
-                                HWLOC_COMPONENTS='-gl')
+                                HWLOC_COMPONENTS='-gl',
+                                # A process that waits leaves its core to the others.
+                                OMPI_MCA_mpi_yield_when_idle='1')
 
     def plain(self, *arguments):
         done = subprocess.run([self.program, *map(str, arguments)], capture_output=True, encoding='utf-8', timeout=120)

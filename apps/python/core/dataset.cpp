@@ -41,8 +41,8 @@ vprobe::Classify classifyOf(const std::string& word)
 }
 
 Dataset openFiles(std::vector<std::string> files, std::string time, std::string solution, double refine,
-                  double displace, std::string format, const std::string& classify, std::string device,
-                  const py::object& progress)
+                  double displace, std::string format, std::string inputs, const std::string& classify,
+                  std::string device, const py::object& progress)
 {
 	vprobe::OpenOptions options{.time = std::move(time),
 	                            .solution = std::move(solution),
@@ -50,7 +50,9 @@ Dataset openFiles(std::vector<std::string> files, std::string time, std::string 
 	                            .displace = displace,
 	                            .format = std::move(format),
 	                            .classify = classifyOf(classify),
-	                            .device = std::move(device)};
+	                            .device = std::move(device),
+	                            .stop = {},
+	                            .inputs = std::move(inputs)};
 	return run(
 	    [files = std::move(files), options = std::move(options)](std::stop_token stop) mutable
 	    {
@@ -183,7 +185,7 @@ void addDataset(py::module_& module)
 	using namespace py::literals;
 	py::class_<Dataset>(module, "Dataset")
 	    .def_static("open", openFiles, "files"_a, "time"_a, "solution"_a, "refine"_a, "displace"_a, "format"_a,
-	                "classify"_a, "device"_a, "progress"_a)
+	                "inputs"_a, "classify"_a, "device"_a, "progress"_a)
 	    .def_static("wrap", wrapBlocks, "blocks"_a, "classify"_a, "device"_a)
 	    .def_property_readonly("kind", [](const Dataset& data) { return ask([data] { return data.kind(); }); })
 	    .def_property_readonly("cell_count",

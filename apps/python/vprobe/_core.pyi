@@ -48,8 +48,8 @@ class Cut:
 
 class Dataset:
     @staticmethod
-    def open(files: List[str], time: str, solution: str, refine: float, displace: float, format: str, classify: str,
-             device: str, progress: _Listener) -> Dataset: ...
+    def open(files: List[str], time: str, solution: str, refine: float, displace: float, format: str, inputs: str,
+             classify: str, device: str, progress: _Listener) -> Dataset: ...
     @staticmethod
     def wrap(blocks: List[Dict[str, Any]], classify: str, device: str) -> Dataset: ...
     @property

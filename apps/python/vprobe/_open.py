@@ -12,14 +12,14 @@ File = Union[str, 'os.PathLike[str]']
 
 
 def open(files: Union[File, Sequence[File]], *, time: Union[str, float, None] = None, solution: str = '',
-         refine: float = 0, displace: float = 0.0, format: str = '', classify: str = 'auto', device: str = '',
-         progress: Progress = None) -> Dataset:
+         refine: float = 0, displace: float = 0.0, format: str = '', inputs: str = 'auto', classify: str = 'auto',
+         device: str = '', progress: Progress = None) -> Dataset:
     """Reads files, or makes a built-in data set.
 
     Parameters
     ----------
     files : path or sequence of paths
-        Any input of the program, or ``"demo:NAME"``. Several make one data set of several blocks.
+        Any input of the program, or ``"demo:NAME"``. Several make one data set of several blocks, or one series.
     time : float or str, optional
         A time (the nearest there is), ``"first"``, ``"last"`` or ``"#INDEX"``. By default the last.
     solution : str
@@ -32,6 +32,9 @@ def open(files: Union[File, Sequence[File]], *, time: Union[str, float, None] = 
         Points of Exodus files move by their displacements, times this.
     format : str
         A name that ``vprobe info --formats`` lists. By default the file tells.
+    inputs : str
+        ``blocks``: several files are one data set. ``times``: each is a time of a series. ``auto``: times if their
+        names differ by a number alone and their grids are the same.
     classify : str
         ``auto``, ``cpu`` or ``gpu``: where cells are classified.
     device : str
@@ -56,5 +59,5 @@ def open(files: Union[File, Sequence[File]], *, time: Union[str, float, None] = 
     """
     names = [os.fspath(files)] if isinstance(files, (str, os.PathLike)) else [os.fspath(each) for each in files]
     core = _core.Dataset.open(names, 'last' if time is None else str(time), solution, refine, displace, format,
-                              classify, device, listener(progress))
+                              inputs, classify, device, listener(progress))
     return Dataset(core, ' '.join(names))

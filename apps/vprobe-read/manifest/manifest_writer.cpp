@@ -3,7 +3,6 @@
 #include "read/tolerance.h"
 #include "time_choice.h"
 #include "vprobe-read/base/bytes_read.h"
-#include "vprobe-read/base/is_one_of.h"
 #include "vprobe-read/base/read_files.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/cells/curved_cells.h"
@@ -14,18 +13,15 @@
 #include "vprobe-read/checks/complaints.h"
 #include "vprobe-read/quick/quick_xml.h"
 
-#include <vtkCellData.h>
 #include <vtkCellTypes.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
-#include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkRectilinearGrid.h>
 #include <vtkSmartPointer.h>
 #include <vtkStructuredGrid.h>
-#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <fmt/format.h>
@@ -36,46 +32,9 @@
 #include <utility>
 
 using nlohmann::json;
-using vp::grid::NumberType;
 
 namespace
 {
-
-// vtkIdType and the longs have 64 bits in every VTK we are built against. Strings, bits and variants have no number
-// type.
-std::optional<NumberType> numberTypeOf(vtkDataArray* array)
-{
-	static_assert(sizeof(vtkIdType) == 8 && sizeof(long) == 8);
-	switch (array->GetDataType())
-	{
-	case VTK_CHAR:
-	case VTK_SIGNED_CHAR:
-		return NumberType::int8;
-	case VTK_UNSIGNED_CHAR:
-		return NumberType::uint8;
-	case VTK_SHORT:
-		return NumberType::int16;
-	case VTK_UNSIGNED_SHORT:
-		return NumberType::uint16;
-	case VTK_INT:
-		return NumberType::int32;
-	case VTK_UNSIGNED_INT:
-		return NumberType::uint32;
-	case VTK_LONG:
-	case VTK_LONG_LONG:
-	case VTK_ID_TYPE:
-		return NumberType::int64;
-	case VTK_UNSIGNED_LONG:
-	case VTK_UNSIGNED_LONG_LONG:
-		return NumberType::uint64;
-	case VTK_FLOAT:
-		return NumberType::float32;
-	case VTK_DOUBLE:
-		return NumberType::float64;
-	default:
-		return std::nullopt;
-	}
-}
 
 std::string typeName(std::uint8_t type)
 {
@@ -83,22 +42,6 @@ std::string typeName(std::uint8_t type)
 	if (name.starts_with("vtk"))
 		name.remove_prefix(3);
 	return std::string(name);
-}
-
-// Turns bits into bytes. Returns null for texts.
-vtkSmartPointer<vtkDataArray> withBytesForBits(vtkDataArray* array)
-{
-	if (!array || array->GetDataType() != VTK_BIT)
-		return array;
-	auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
-	bytes->DeepCopy(array);
-	return bytes;
-}
-
-// Returns the units in the way that VTK's files store them, or null.
-const char* unitsOf(vtkDataArray* array)
-{
-	return array->HasInformation() ? array->GetInformation()->Get(vtkDataArray::UNITS_LABEL()) : nullptr;
 }
 
 // The Exodus reader makes up a name for a set that has only a number.
@@ -269,92 +212,6 @@ bool ManifestWriter::describeLattice(vtkDataSet* data, json& block)
 	        : rectilinear ? describeRectilinear(writer_, rectilinear)
 	                      : describeCurvilinear(writer_, curvilinear);
 	return true;
-}
-
-json describeLeftOut(const char* association, const std::string& name, NumberType type, int components)
-{
-	return {{"name", name},
-	        {"association", association},
-	        {"type", vp::grid::numberTypeName(type)},
-	        {"components", components},
-	        {"left_out", true}};
-}
-
-// Returns the data set without the arrays that nobody asked for. Describes these in `left_out`.
-vtkSmartPointer<vtkDataSet> ManifestWriter::withWishedArrays(vtkDataSet* given, json& left_out) const
-{
-	const auto data = vtkSmartPointer<vtkDataSet>::Take(given->NewInstance());
-	data->ShallowCopy(given);
-	bool has_shown = false;
-	const auto leaveOut = [&](vtkDataSetAttributes* fields, const char* association)
-	{
-		for (int i = 0; i < fields->GetNumberOfArrays();)
-		{
-			vtkDataArray* array = fields->GetArray(i);
-			const auto type = array ? numberTypeOf(array) : std::nullopt;
-			const bool is_mark = array && array->GetName() &&
-			                     std::string_view(array->GetName()) == vtkDataSetAttributes::GhostArrayName();
-			if (!type || is_mark || !array->GetName())
-			{
-				++i;
-				continue;
-			}
-			const std::string name = array->GetName();
-			const bool shapes_cells = array == fields->GetHigherOrderDegrees() ||
-			                          array == fields->GetRationalWeights() ||
-			                          isOneOf(name, {"HigherOrderDegrees", "RationalWeights"});
-			if (shapes_cells || wish_.wants(association, name, !has_shown))
-				++i;
-			else
-			{
-				left_out.push_back(describeLeftOut(association, name, *type, array->GetNumberOfComponents()));
-				fields->RemoveArray(i);
-			}
-			has_shown = true;
-		}
-	};
-	leaveOut(data->GetPointData(), "point");
-	leaveOut(data->GetCellData(), "cell");
-	return data;
-}
-
-json ManifestWriter::describeArrays(vtkDataSet* points, vtkDataSet* cells)
-{
-	json arrays = json::array();
-	const auto warnAboutText = [&](const char* association, vtkAbstractArray* array)
-	{
-		const char* name = array && array->GetName() ? array->GetName() : "";
-		std::string line = fmt::format("the {} array {} holds no numbers and is not shown", association, name);
-		if (std::ranges::find(warnings_, line) == warnings_.end())
-			warn(std::move(line));
-	};
-	const auto describeAll = [&](vtkFieldData* fields, const char* association, vtkIdType tuples)
-	{
-		for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
-		{
-			const vtkSmartPointer<vtkDataArray> array = withBytesForBits(fields->GetArray(i));
-			if (!array)
-				warnAboutText(association, fields->GetAbstractArray(i));
-			const auto type = array ? numberTypeOf(array) : std::nullopt;
-			if (!type || array == cells->GetCellGhostArray() || array == points->GetPointGhostArray())
-				continue; // ghost marks have done their work
-			const std::string name = array->GetName() ? array->GetName() : fmt::format("array {}", i);
-			if (array->GetNumberOfTuples() != tuples)
-				throw damaged(fmt::format("the {} array {} has {} tuples for {} {}s", association, name,
-				                          array->GetNumberOfTuples(), tuples, association));
-			const std::size_t bytes = static_cast<std::size_t>(array->GetNumberOfValues()) * byteSize(*type);
-			json described = writer_.write(*type, array->GetVoidPointer(0), bytes);
-			described["name"] = name;
-			described["association"] = association;
-			described["components"] = array->GetNumberOfComponents();
-			if (const char* units = unitsOf(array))
-				described["units"] = units;
-			arrays.push_back(std::move(described));
-		}
-	};
-	describeAll(points->GetPointData(), "point", points->GetNumberOfPoints());
-	describeAll(cells->GetCellData(), "cell", cells->GetNumberOfCells());
-	return arrays;
 }
 
 std::string ManifestWriter::finish()

@@ -190,7 +190,7 @@ Result<ExitCode> runCheck(const CheckOptions& options)
 	session::Session& session = **opened;
 
 	const grid::Quality quality = grid::checkQuality(session.blocks());
-	Result<cut::SweepFindings> sweep = cut::sweepForImpossibleCases(session.cutter());
+	Result<cut::SweepFindings> sweep = session.findImpossibleCells();
 	if (!sweep)
 		return sweep.error();
 	const std::vector<Finding> findings = listFindings(session.blocks(), quality, *sweep);

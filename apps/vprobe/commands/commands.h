@@ -22,6 +22,7 @@ using Run = std::function<Result<ExitCode>()>;
 	X(addSweep)                                                                                                        \
 	X(addProfile)                                                                                                      \
 	X(addView)                                                                                                         \
+	X(addVerify)                                                                                                       \
 	X(addCheck)                                                                                                        \
 	X(addSample)                                                                                                       \
 	X(addConvert)                                                                                                      \

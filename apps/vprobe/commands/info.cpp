@@ -326,9 +326,7 @@ Result<ExitCode> runInfo(const InfoOptions& options)
 			print("demo:{:<8} {}\n", demo.name, demo.about);
 		return ExitCode::done;
 	}
-	read::ReadOptions reading = session::readOptions(options.input.spec, input.time);
-	reading.patches = true;
-	Result<grid::BlockSet> blocks = read::readInputs(input.files, reading, nullptr);
+	Result<grid::BlockSet> blocks = session::readInputs(options.input.spec, true);
 	if (!blocks)
 		return blocks.error();
 	if (options.json)

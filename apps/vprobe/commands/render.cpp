@@ -7,6 +7,7 @@
 #include "report/vectors_out.h"
 #include "session/frame.h"
 #include "team.h"
+#include "verify/expect.h"
 #include "view/validate.h"
 #include "write/png.h"
 
@@ -28,6 +29,8 @@ struct RenderOptions
 	std::string output;
 	std::string stats;
 	std::string vectors_out;
+	std::string expect;     // a picture to compare with
+	std::string difference; // where the difference is drawn
 };
 
 // Returns the picture's name if the user gives none: the input's name, in the current folder.
@@ -44,7 +47,7 @@ std::string defaultOutput(const view::InputSpec& input)
 // Does not overwrite an existing file, because the user did not name it.
 Status takeDefaultOutput(RenderOptions& options)
 {
-	if (!options.output.empty())
+	if (!options.output.empty() || !options.expect.empty())
 		return Nothing{};
 	options.output = defaultOutput(options.common.spec.input);
 	if (!std::filesystem::exists(options.output))
@@ -62,7 +65,7 @@ Status check(const RenderOptions& options)
 	if (options.output == "-" && options.stats == "-")
 		return Error{ErrorKind::usage,
 		             "-o - and --stats -: standard output takes one thing at a time; name a file for the other"};
-	if (options.output != "-" && std::filesystem::path(options.output).extension() != ".png")
+	if (!options.output.empty() && options.output != "-" && std::filesystem::path(options.output).extension() != ".png")
 		return Error{
 		    ErrorKind::usage,
 		    fmt::format("-o {}: pictures are written as .png; give a name that ends so, or -", options.output)};
@@ -80,10 +83,10 @@ Result<ExitCode> runRender(RenderOptions& options)
 	const view::ViewSpec& spec = options.common.spec;
 	if (Status ready = prepare(options.common); !ready)
 		return ready.error();
-	session::OpenOptions how{.expect = session::Expect::one_cut, .reads_all_arrays = false, .reads_again = false};
+	session::OpenOptions how{.expect = session::Expect::one_cut, .reads_all_arrays = false, .time_may_change = false};
 	if (options.common.explain)
 		return explain(spec, how);
-	const bool tells_place = options.output.empty() && options.stats != "-";
+	const bool tells_place = options.output.empty() && options.expect.empty() && options.stats != "-";
 	if (Status free = takeDefaultOutput(options); !free)
 		return free.error();
 	if (Status fits = check(options); !fits)
@@ -91,6 +94,9 @@ Result<ExitCode> runRender(RenderOptions& options)
 	Result<view::ResolvedLook> look = view::resolveLook(spec);
 	if (!look)
 		return look.error();
+	const Result<ExpectedPicture> expected = readExpected(options.expect, options.difference);
+	if (!expected)
+		return expected.error();
 
 	how.use = session::DeviceUse::draw;
 	how.ranks = processes();
@@ -108,7 +114,8 @@ Result<ExitCode> runRender(RenderOptions& options)
 	Result<render::Picture> picture = painter->draw(frame.slice, frame.sheets, frame.contours);
 	if (!picture)
 		return picture.error();
-	if (Status written = isFirst() ? write::writePng(*picture, options.output) : Nothing{}; !written)
+	const bool writes = isFirst() && !options.output.empty();
+	if (Status written = writes ? write::writePng(*picture, options.output) : Nothing{}; !written)
 		return written.error();
 	if (tells_place && isFirst())
 		print("{}\n", options.output);
@@ -116,7 +123,9 @@ Result<ExitCode> runRender(RenderOptions& options)
 		return written.error();
 	if (Status saved = saveSpec(options.common); !saved)
 		return saved.error();
-	return writeStats(options.stats, {options.output, options.vectors_out}, statsJson(session, frame));
+	const Result<ExitCode> done =
+	    writeStats(options.stats, {options.output, options.vectors_out}, statsJson(session, frame));
+	return done ? compareWith(*expected, *picture, spec.look.samples) : done;
 }
 
 } // namespace
@@ -134,6 +143,12 @@ void addRender(CLI::App& program, Run& run)
 	                 "Where the picture goes; - is standard output (default: the input's name, in the current folder)")
 	    ->type_name("FILE.png|-");
 	command->add_option("--stats", options->stats, "Write figures and times as JSON")->type_name("FILE|-");
+	command
+	    ->add_option("--expect", options->expect,
+	                 "Compare the picture with this one: exit code 6 if they differ. Without -o no picture is written")
+	    ->type_name("FILE.png");
+	command->add_option("--difference", options->difference, "Where --expect finds a difference, draw it")
+	    ->type_name("FILE.png");
 
 	addSettings(*command, options->common, "look");
 	addSettings(*command, options->common, "vectors");

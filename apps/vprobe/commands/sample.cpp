@@ -66,7 +66,7 @@ Result<ExitCode> runSample(const SampleOptions& options)
 	Result<grid::BlockSet> blocks = [&]
 	{
 		const Progress progress(fmt::format("reading {}", fmt::join(spec.input.files, ", ")));
-		return read::readInputs(spec.input.files, session::readOptions(spec, spec.input.time), nullptr);
+		return session::readInputs(spec);
 	}();
 	if (!blocks)
 		return blocks.error();

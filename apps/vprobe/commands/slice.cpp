@@ -9,6 +9,7 @@
 #include "report/vectors_out.h"
 #include "session/frame.h"
 #include "team.h"
+#include "verify/expect.h"
 #include "view/validate.h"
 #include "write/line_file.h"
 #include "write/slice_file.h"
@@ -32,6 +33,7 @@ struct SliceOptions
 	std::string output;
 	std::string stats;
 	std::string vectors_out;
+	std::string expect;       // figures to compare with
 	std::vector<double> line; // empty, or where it begins and ends on the sheet
 	int line_sheet = 0;
 };
@@ -154,14 +156,18 @@ Result<ExitCode> runSlice(const SliceOptions& options, const CLI::App& command)
 		return one.error();
 	const bool pictures = picture::namesPictures(options.output);
 	// Polygons are written with every array. Vertices are not joined if arrays jump between blocks.
-	const session::OpenOptions how{
-	    .expect = session::Expect::one_cut, .reads_all_arrays = !pictures, .reads_again = false, .ranks = processes()};
+	const session::OpenOptions how{.expect = session::Expect::one_cut,
+	                               .reads_all_arrays = !pictures,
+	                               .time_may_change = false,
+	                               .ranks = processes()};
 	if (Status fits = checkProcesses(options); !fits)
 		return fits.error();
 	if (options.common.explain)
 		return explain(spec, how);
 	if (Status fits = check(options, command); !fits)
 		return fits.error();
+	if (Status known = checkExpected(options.expect); !known)
+		return known.error();
 	Result<view::ResolvedLook> look = pictures ? planeLook(options, command) : view::ResolvedLook{};
 	if (!look)
 		return look.error();
@@ -183,7 +189,7 @@ Result<ExitCode> runSlice(const SliceOptions& options, const CLI::App& command)
 	if (Status vectors = writeVectors(session, frame.sheets, options.vectors_out); !vectors)
 		return vectors.error();
 	written->push_back(options.vectors_out);
-	if (options.output.empty() && options.stats.empty() && options.vectors_out.empty())
+	if (options.output.empty() && options.stats.empty() && options.vectors_out.empty() && options.expect.empty())
 	{
 		const std::string table = statsTable(session, frame);
 		if (isFirst())
@@ -191,7 +197,9 @@ Result<ExitCode> runSlice(const SliceOptions& options, const CLI::App& command)
 	}
 	if (Status saved = saveSpec(options.common); !saved)
 		return saved.error();
-	return writeStats(options.stats, *written, statsJson(session, frame));
+	const std::string stats = statsJson(session, frame);
+	const Result<ExitCode> done = writeStats(options.stats, *written, stats);
+	return done ? compareWith(options.expect, stats) : done;
 }
 
 } // namespace
@@ -213,6 +221,12 @@ void addSlice(CLI::App& program, Run& run)
 	    ->type_name("FILE|-");
 	command->add_option("--stats", options->stats, "Write figures and times as JSON")->type_name("FILE|-");
 	command
+	    ->add_option(
+	        "--expect", options->expect,
+	        "Compare the figures with those of this file, which holds some of the keys of --stats: exit code 6 "
+	        "if they differ")
+	    ->type_name("FILE.json");
+	command
 	    ->add_option("--line", options->line,
 	                 "Write the values along a line through a sheet as .csv instead. The line goes from U0 V0 to U1 "
 	                 "V1, measured along the sheet's x and y axes from its origin")
@@ -222,7 +236,7 @@ void addSlice(CLI::App& program, Run& run)
 	command->add_option("--sheet", options->line_sheet, "The sheet of --line, from 0")
 	    ->check(CLI::Range(0, static_cast<int>(probe::kMaxSheets) - 1))
 	    ->type_name("K");
-	command->footer("With neither -o, --stats nor --vectors-out a short table is printed.");
+	command->footer("With neither -o, --stats, --vectors-out nor --expect a short table is printed.");
 	addSettings(*command, options->common, "look", Scope::flat);
 	addSettings(*command, options->common, "vectors", Scope::flat);
 	addVectorsOut(*command, options->vectors_out);

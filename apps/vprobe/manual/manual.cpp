@@ -24,6 +24,7 @@ constexpr std::array kExitCodes{
     std::pair{ExitCode::no_device, "No Vulkan device that can be used."},
     std::pair{ExitCode::output, "Output that cannot be written, and everything else."},
     std::pair{ExitCode::findings, "A check found something."},
+    std::pair{ExitCode::differs, "A picture or a figure is not as expected."},
     std::pair{ExitCode::interrupted, "Interrupted."},
 };
 

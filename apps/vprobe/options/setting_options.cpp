@@ -1,5 +1,6 @@
 #include "options/spec_options.h"
 #include "probe/path_file.h"
+#include "report/console.h"
 #include "view/settings.h"
 #include "view/words.h"
 
@@ -133,9 +134,10 @@ struct AddOption
 
 void addSettings(CLI::App& command, SpecOptions& options, std::string_view section, Scope scope)
 {
-	const view::Section all = view::sectionOf(options.spec, section);
-	for (const view::Setting& setting : all.settings)
+	view::Section all = view::sectionOf(options.spec, section);
+	for (view::Setting& setting : all.settings)
 	{
+		setting.help = withOptionNames(setting.help);
 		if ((setting.offer == view::Offer::in_space && scope == Scope::flat) ||
 		    (setting.offer == view::Offer::with_cuts && scope == Scope::no_cut))
 			continue;

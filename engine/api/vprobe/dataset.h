@@ -114,6 +114,9 @@ struct OpenOptions
 	Classify classify = Classify::automatic;
 	std::string device{};   // for classifying and drawing: a part of its name, or its number; empty: the best one
 	std::stop_token stop{}; // on a stop request, reading ends with ErrorKind::cancelled
+	// Several files: "blocks" (together one data set), "times" (each is a time of a series), or "auto" (times if their
+	// names differ by a number alone and their grids are the same)
+	std::string inputs = "auto";
 };
 
 /// Values of arrays at points.

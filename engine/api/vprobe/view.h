@@ -27,8 +27,8 @@ enum class ProbeShape : std::uint8_t
 /// is a value: copies are independent. Settings that are not set have the defaults of the program's options.
 ///
 /// The functions accept any value. check() reports impossible values, and so does every function that takes a View.
-/// Every setting has a key: the name of its option, with _ for -; `vprobe manual --schema` describes all of them. Use set() for settings without a function here. A
-/// View is not thread safe, but several threads may read one.
+/// Every setting has a key: the name of its option, with _ for -; `vprobe manual --schema` describes all of them. Use
+/// set() for settings without a function here. A View is not thread safe, but several threads may read one.
 class VPROBE_API View
 {
 public:

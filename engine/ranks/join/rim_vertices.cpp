@@ -43,7 +43,7 @@ bool RimVertex::isOnSameEdge(const RimVertex& other) const
 
 bool RimVertex::isOneWith(const RimVertex& other) const
 {
-	return mesh::isOnePlace(place, other.place, glm::length(ends[1] - ends[0])) && hasDataOf(other);
+	return mesh::isOnePlace(place, other.place, edge_length) && hasDataOf(other);
 }
 
 bool RimVertex::hasDataOf(const RimVertex& other) const
@@ -211,6 +211,12 @@ double nearOf(const grid::Block& block, const mesh::EdgePoint& at)
 	    block.grid);
 }
 
+double lengthOf(const grid::Block& block, const mesh::EdgePoint& at)
+{
+	return std::visit([&](const auto& grid) { return glm::length(grid.point(at.higher) - grid.point(at.lower)); },
+	                  block.grid);
+}
+
 std::array<Vec3, 2> endsOf(const grid::Block& block, const mesh::EdgePoint& at)
 {
 	return std::visit(
@@ -274,6 +280,7 @@ std::vector<RimVertex> rimVertices(const grid::BlockSet& blocks, std::span<const
 			continue;
 		vertex.near = nearOf(blocks.blocks[block], mesh.edges[v]);
 		vertex.ends = endsOf(blocks.blocks[block], mesh.edges[v]);
+		vertex.edge_length = lengthOf(blocks.blocks[block], mesh.edges[v]);
 		vertex.arrays = valuesAt(blocks.blocks[block], mesh.edges[v]);
 	}
 	return vertices;
@@ -289,6 +296,7 @@ RimVertex gridVertex(const grid::BlockSet& blocks, std::span<const std::uint32_t
 	made.whole = whole[at.block];
 	made.of_lattice = true; // whose pieces share points
 	made.ends = {made.place, made.place};
+	made.edge_length = lengthOf(blocks.blocks[at.block], at);
 	made.arrays = valuesAt(blocks.blocks[at.block], at);
 	return made;
 }
@@ -303,6 +311,7 @@ void put(MessageWriter& to, const RimVertex& vertex)
 	to.put(vertex.of_lattice);
 	to.put(vertex.on_edge);
 	to.put(vertex.ends);
+	to.put(vertex.edge_length);
 	to.putAll(vertex.faces);
 	to.put(vertex.arrays.size());
 	for (const auto& [name, values] : vertex.arrays)
@@ -324,6 +333,7 @@ RimVertex takeVertex(MessageReader& from, int rank)
 	vertex.of_lattice = from.get<bool>();
 	vertex.on_edge = from.get<bool>();
 	vertex.ends = from.get<std::array<Vec3, 2>>();
+	vertex.edge_length = from.get<double>();
 	vertex.faces = from.getAll<FaceKey>();
 	for (auto left = from.get<std::size_t>(); left > 0; --left)
 	{

@@ -51,6 +51,7 @@ struct RimVertex
 	bool of_lattice = false;      // the block is a lattice, whose pieces share points
 	bool on_edge = true;          // the vertex lies on a cell's edge; else on the rim of a window
 	std::array<Vec3, 2> ends{};   // ends of its edge; the grid point if it lies on one
+	double edge_length = 0.0;     // its edge is that long, also if it lies on a grid point
 	std::vector<FaceKey> faces{}; // faces of cells on which it lies; ascending
 	std::vector<std::pair<std::string, std::vector<ValueAt>>> arrays{}; // by name
 

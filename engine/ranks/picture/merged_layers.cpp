@@ -120,8 +120,8 @@ bool mergeLayers(Team& team, const render::LayerValues& layers, std::uint64_t& s
 	return true;
 }
 
-Result<render::Picture> draw(Ranks& ranks, render::Renderer& renderer, const render::Scene& scene, Timeline* timeline,
-                             const std::function<bool()>& goes_on)
+Result<render::Picture> draw(const Ranks& ranks, render::Renderer& renderer, const render::Scene& scene,
+                             Timeline* timeline, const std::function<bool()>& goes_on)
 {
 	if (!ranks.team())
 		return renderer.draw(scene, timeline, goes_on);

@@ -22,8 +22,8 @@ bool mergeLayers(Team& team, const render::LayerValues& layers, std::uint64_t& s
 
 /// Draws a scene of which each rank has a part. Only the first rank gets the picture, the others an empty one. goes_on:
 /// see render::Renderer::draw(); several ranks do not ask it.
-Result<render::Picture> draw(Ranks& ranks, render::Renderer& renderer, const render::Scene& scene, Timeline* timeline,
-                             const std::function<bool()>& goes_on);
+Result<render::Picture> draw(const Ranks& ranks, render::Renderer& renderer, const render::Scene& scene,
+                             Timeline* timeline, const std::function<bool()>& goes_on);
 
 /// Returns the bounds of the polygons of a sheet, if other ranks draw a part of them. own: of the polygons here.
 std::optional<mesh::UvBounds> boundsOfAll(const Ranks& ranks, const std::optional<mesh::UvBounds>& own);

@@ -28,7 +28,7 @@ struct View
 
 // Turned from the sheet's normal by 30 degrees of azimuth and 20 of elevation about an upright z axis: the sheet is
 // seen almost face on, the outline's depth still shows. A level sheet is looked down on at 45 degrees, x to the right.
-// Of the two azimuths, the one is taken from which x and y lie more as usual.
+// There are two such azimuths; the eye takes the one from which x and y lie more as usual.
 View obliqueView(const Vec3& sheet_normal)
 {
 	// The plane has no front: the eye stays above it.

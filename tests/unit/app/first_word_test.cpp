@@ -77,7 +77,7 @@ TEST_F(FirstWord, AMistypedCommandGetsTheNearestName)
 	EXPECT_EQ(refused({"xyzzy"}), "xyzzy: no such command");
 	std::ofstream("data") << "a file without an ending";
 	EXPECT_EQ(words({"data"}), (Words{"render", "data"}));
-	EXPECT_FALSE(app::withCommand({"a.vtu"}, kCommands, false)); // of vprobe-mpi
+	EXPECT_FALSE(app::withCommand({"a.vtu"}, kCommands, false)); // as in vprobe-mpi
 }
 
 } // namespace vp::test

@@ -1,15 +1,10 @@
-#include "cut/cutter.h"
-#include "exhaustive.h"
-#include "measure/stats.h"
-#include "parted_lattice.h"
-#include "ranks/join/borders.h"
+#include "one_sheet.h"
 #include "ranks/join/boundary_edges.h"
 #include "ranks/join/whole_cells.h"
 #include "ranks/particles/joined_traces.h"
 #include "ranks/picture/merged_layers.h"
 #include "ranks/picture/surroundings.h"
 #include "ranks/search/joined_contour.h"
-#include "ranks/search/rank_to_rank.h"
 #include "ranks/write/joined_stats.h"
 #include "ranks/write/joined_tables.h"
 
@@ -27,90 +22,6 @@ namespace vp::test
 namespace
 {
 
-const grid::FieldChoice kHeight{"hills", grid::Association::point, 0};
-const grid::FieldChoice kWind{"wind", grid::Association::point, grid::kMagnitude};
-
-cut::CutRequest requestFor(const TestPlane& plane)
-{
-	cut::CutRequest request;
-	request.probe.sheets = {probe::makeSheet(plane.origin, plane.normal)};
-	request.field = kHeight;
-	return request;
-}
-
-std::size_t sumOf(const ranks::Ranks& ranks, std::size_t own)
-{
-	return ranks.sum(own, [](std::size_t& sum, std::size_t other) { sum += other; });
-}
-
-// What is told of a sheet. All ranks get the same.
-struct Figures
-{
-	std::size_t cells = 0;
-	std::size_t polygons = 0;
-	std::size_t vertices = 0;
-	std::size_t components = 0;
-	std::size_t boundary_polygons = 0;
-	double area = 0.0;
-	double boundary_area = 0.0;
-	double mean = 0.0;
-	double least = 0.0;
-	double most = 0.0;
-	bool hangs = false;
-};
-
-// Counts are the same, and sums but for the order in which the corners of a polygon are listed.
-void expectSame(const Figures& found, const Figures& expected, const std::string& where)
-{
-	constexpr double kRounding = 1e-12;
-	EXPECT_EQ(found.cells, expected.cells) << where;
-	EXPECT_EQ(found.polygons, expected.polygons) << where;
-	EXPECT_EQ(found.vertices, expected.vertices) << where;
-	EXPECT_EQ(found.components, expected.components) << where;
-	EXPECT_EQ(found.boundary_polygons, expected.boundary_polygons) << where;
-	EXPECT_NEAR(found.area, expected.area, kRounding) << where;
-	EXPECT_NEAR(found.boundary_area, expected.boundary_area, kRounding) << where;
-	EXPECT_NEAR(found.mean, expected.mean, kRounding) << where;
-	EXPECT_NEAR(found.least, expected.least, kRounding) << where;
-	EXPECT_NEAR(found.most, expected.most, kRounding) << where;
-	EXPECT_FALSE(found.hangs) << where;
-}
-
-struct OneSheet
-{
-	cut::Cutter cutter;
-	cut::Cut cut;
-	mesh::SheetMesh mesh;
-	ranks::Borders borders;
-
-	OneSheet(const ranks::Ranks& ranks, const grid::BlockSet& blocks, const cut::CutRequest& request)
-	    : cutter(blocks), cut(std::move(ranks::carryOut(ranks, cutter, request, {}).value())),
-	      mesh(cut.mesh(blocks, 0)), borders(ranks::joinBorders(ranks, blocks, cut.sheets[0].cuts, mesh))
-	{
-	}
-
-	const cut::SheetCut& sheet() const { return cut.sheets[0]; }
-};
-
-Figures figuresOf(const ranks::Ranks& ranks, const grid::BlockSet& blocks, const OneSheet& sheet)
-{
-	std::size_t cells = 0;
-	for (const find::BlockCut& cut : sheet.sheet().cuts)
-		cells += cut.cutCells();
-	const measure::SheetMeasure measured = measure::measureOf(ranks::sumUp(ranks, blocks, sheet.mesh, kHeight), true);
-	return {.cells = sumOf(ranks, cells),
-	        .polygons = sumOf(ranks, sheet.mesh.polygons()),
-	        .vertices = sumOf(ranks, sheet.mesh.positions.size() - sheet.borders.vertices_elsewhere),
-	        .components = ranks::componentsOf(ranks, sheet.borders, sheet.mesh),
-	        .boundary_polygons = sumOf(ranks, sheet.mesh.boundary_polygons),
-	        .area = measured.area,
-	        .boundary_area = measured.boundary_area,
-	        .mean = measured.mean.value_or(0.0),
-	        .least = measured.min.value_or(0.0),
-	        .most = measured.max.value_or(0.0),
-	        .hangs = sheet.borders.hangs};
-}
-
 // Askew, along a border of parts, through an edge of the lattice, and one that misses all.
 const TestPlane kPlanes[] = {{{1.1, 0.4, 0.3}, {0.8, 0.3, 0.5}},
                              {{1.0, 0.5, 0.5}, {1.0, 0.0, 0.0}},
@@ -125,8 +36,8 @@ void forEachParting(const Test& test)
 {
 	for (const Kind kind : kKinds)
 		for (const Place place : kPlaces)
-			for (const int parts : {2, 3})
-				test(kind, place, parts);
+			for (const auto& [parts, per_rank] : {std::pair(2, 1u), std::pair(3, 1u), std::pair(4, 2u)})
+				test(Parting{kind, place, parts, per_rank});
 }
 
 // Values of all ranks, as they come.
@@ -186,19 +97,19 @@ TEST(RanksOfTeam, ToldTablesComeFromAll)
 TEST(RanksOfTeam, JoinedSheetsAreThoseOfOneProcess)
 {
 	forEachParting(
-	    [](Kind kind, Place place, int parts)
+	    [](const Parting& parting)
 	    {
 		    for (const TestPlane& plane : kPlanes)
 		    {
 			    Figures expected;
 			    withOneAndWithMany(
-			        kind, place, parts,
+			        parting,
 			        [&](ranks::Ranks& ranks, const grid::BlockSet& blocks)
 			        { expected = figuresOf(ranks, blocks, OneSheet(ranks, blocks, requestFor(plane))); },
 			        [&](ranks::Ranks& ranks, const grid::BlockSet& blocks)
 			        {
 				        expectSame(figuresOf(ranks, blocks, OneSheet(ranks, blocks, requestFor(plane))), expected,
-				                   std::to_string(parts) + " parts");
+				                   std::to_string(parting.parts) + " parts");
 			        });
 		    }
 	    });
@@ -210,7 +121,7 @@ TEST(RanksOfTeam, SharedVerticesLieAtOnePlace)
 	std::mutex mutex;
 	std::map<std::uint64_t, std::vector<Vec3>> places;
 	withOneAndWithMany(
-	    Kind::lattice, warped, 3, [](auto&, const auto&) {},
+	    {Kind::lattice, warped, 3}, [](auto&, const auto&) {},
 	    [&](ranks::Ranks& ranks, const grid::BlockSet& blocks)
 	    {
 		    const OneSheet sheet(ranks, blocks, requestFor(kPlanes[0]));
@@ -231,7 +142,7 @@ TEST(RanksOfTeam, SharedVerticesLieAtOnePlace)
 TEST(RanksOfTeam, SearchesGoFromRankToRank)
 {
 	forEachParting(
-	    [](Kind kind, Place place, int parts)
+	    [](const Parting& parting)
 	    {
 		    for (const bool has_threshold : {false, true})
 		    {
@@ -241,7 +152,7 @@ TEST(RanksOfTeam, SearchesGoFromRankToRank)
 				    request.threshold = find::Threshold{-0.4, 0.9};
 			    Figures expected;
 			    withOneAndWithMany(
-			        kind, place, parts,
+			        parting,
 			        [&](ranks::Ranks& ranks, const grid::BlockSet& blocks)
 			        {
 				        const OneSheet sheet(ranks, blocks, request);
@@ -262,7 +173,7 @@ TEST(RanksOfTeam, SearchesGoFromRankToRank)
 TEST(RanksOfTeam, WholeCellsHaveTheFacesOfOneProcess)
 {
 	forEachParting(
-	    [](Kind kind, Place place, int parts)
+	    [](const Parting& parting)
 	    {
 		    for (const TestPlane& plane : {kPlanes[0], kPlanes[3]})
 		    {
@@ -277,10 +188,10 @@ TEST(RanksOfTeam, WholeCellsHaveTheFacesOfOneProcess)
 			    };
 			    std::array<std::size_t, 2> expected{};
 			    withOneAndWithMany(
-			        kind, place, parts,
+			        parting,
 			        [&](ranks::Ranks& ranks, const grid::BlockSet& blocks) { expected = count(ranks, blocks); },
 			        [&](ranks::Ranks& ranks, const grid::BlockSet& blocks)
-			        { EXPECT_EQ(count(ranks, blocks), expected) << parts << " parts"; });
+			        { EXPECT_EQ(count(ranks, blocks), expected) << parting.parts << " parts"; });
 		    }
 	    });
 }
@@ -305,7 +216,7 @@ TEST(RanksOfTeam, CellsOfOtherSizesHang)
 TEST(RanksOfTeam, PathsAreThoseOfOneProcess)
 {
 	forEachParting(
-	    [](Kind kind, Place place, int parts)
+	    [](const Parting& parting)
 	    {
 		    const auto follow = [&](ranks::Ranks& ranks, const grid::BlockSet& blocks)
 		    {
@@ -325,7 +236,7 @@ TEST(RanksOfTeam, PathsAreThoseOfOneProcess)
 		    };
 		    vectors::Traces expected;
 		    withOneAndWithMany(
-		        kind, place, parts,
+		        parting,
 		        [&](ranks::Ranks& ranks, const grid::BlockSet& blocks)
 		        {
 			        expected = follow(ranks, blocks);
@@ -349,7 +260,7 @@ TEST(RanksOfTeam, PathsAreThoseOfOneProcess)
 TEST(RanksOfTeam, ContoursAreThoseOfOneProcess)
 {
 	forEachParting(
-	    [](Kind kind, Place place, int parts)
+	    [](const Parting& parting)
 	    {
 		    const auto grow = [&](ranks::Ranks& ranks, const grid::BlockSet& blocks)
 		    {
@@ -370,7 +281,7 @@ TEST(RanksOfTeam, ContoursAreThoseOfOneProcess)
 		    };
 		    std::vector<std::array<double, 3>> expected;
 		    withOneAndWithMany(
-		        kind, place, parts,
+		        parting,
 		        [&](ranks::Ranks& ranks, const grid::BlockSet& blocks)
 		        {
 			        expected = grow(ranks, blocks);
@@ -412,7 +323,7 @@ TEST(RanksOfTeam, OutlinesAreThoseOfOneProcess)
 		};
 		std::vector<std::array<double, 6>> expected;
 		withOneAndWithMany(
-		    Kind::lattice, warped, 3,
+		    {Kind::lattice, warped, 3},
 		    [&](ranks::Ranks& ranks, const grid::BlockSet& blocks)
 		    {
 			    expected = lines(ranks, blocks);
@@ -431,7 +342,7 @@ TEST(RanksOfTeam, TheFirstHasTheTableOfAll)
 		Gathered own;
 		std::size_t written = 0;
 		withOneAndWithMany(
-		    kind, warped, 3,
+		    {kind, warped, 3},
 		    [&](ranks::Ranks& ranks, const grid::BlockSet& blocks)
 		    {
 			    const OneSheet sheet(ranks, blocks, requestFor(kPlanes[0]));

@@ -76,10 +76,7 @@ inline grid::Block withoutCells(const grid::Block& block)
 	grid::Block empty;
 	empty.name = block.name;
 	empty.bounds = block.bounds;
-	if (std::holds_alternative<grid::CurvilinearGrid>(block.grid))
-		empty.grid = grid::CurvilinearGrid();
-	else
-		empty.grid = grid::UnstructuredGrid();
+	std::visit([&]<class G>(const G&) { empty.grid = G(); }, block.grid);
 	for (const grid::Field& field : block.fields)
 	{
 		grid::Field& without_values = empty.fields.emplace_back();
@@ -93,43 +90,69 @@ inline grid::Block withoutCells(const grid::Block& block)
 	return empty;
 }
 
-// The blocks of a rank, which has one of them.
-inline grid::BlockSet shareOf(std::vector<grid::Block> blocks, int rank)
+// The blocks of a rank, which has `per_rank` of them.
+inline grid::BlockSet shareOf(std::vector<grid::Block> blocks, int rank, std::size_t per_rank = 1)
 {
 	for (std::size_t b = 0; b < blocks.size(); ++b)
-		if (b != static_cast<std::size_t>(rank))
+		if (b / per_rank != static_cast<std::size_t>(rank))
 			blocks[b] = withoutCells(blocks[b]);
 	return setOfBlocks(std::move(blocks));
 }
 
-inline ranks::Ranks ranksOf(ranks::Team& team, bool is_one_lattice)
+inline ranks::Ranks ranksOf(ranks::Team& team, bool is_one_lattice, std::uint32_t per_rank = 1)
 {
 	auto share = std::make_shared<ranks::Share>();
-	share->first_own = static_cast<std::uint32_t>(team.rank());
-	share->end_own = share->first_own + 1;
-	share->own_parts = 1;
-	for (std::uint32_t b = 0; b < static_cast<std::uint32_t>(team.size()); ++b)
+	share->first_own = static_cast<std::uint32_t>(team.rank()) * per_rank;
+	share->end_own = share->first_own + per_rank;
+	share->own_parts = per_rank;
+	for (std::uint32_t b = 0; b < static_cast<std::uint32_t>(team.size()) * per_rank; ++b)
 		share->whole.push_back(is_one_lattice ? 0 : b);
 	return ranks::Ranks(&team, std::move(share));
 }
 
 using WorkOfRank = std::function<void(ranks::Ranks& ranks, const grid::BlockSet& blocks)>;
 
-// Runs `work` for one process with all parts, and for each of as many ranks with one part each.
-inline void withOneAndWithMany(Kind kind, Place place, int parts, const WorkOfRank& alone, const WorkOfRank& of_rank)
+// Runs `work` for each rank of a team that holds these blocks, `per_rank` at each.
+inline void withMany(const std::vector<grid::Block>& blocks, bool is_one_lattice, std::uint32_t per_rank,
+                     const WorkOfRank& work)
 {
-	const grid::BlockSet whole = wholeOf(kind, place, parts);
+	ranks::withTeam(static_cast<int>(blocks.size() / per_rank),
+	                [&](ranks::Team& team)
+	                {
+		                ranks::Ranks ranks = ranksOf(team, is_one_lattice, per_rank);
+		                work(ranks, shareOf(blocks, team.rank(), per_rank));
+	                });
+}
+
+// Runs `work` for one process with all blocks, and for each of as many ranks with one block each.
+inline void withOneAndWithMany(const std::vector<grid::Block>& blocks, const WorkOfRank& alone,
+                               const WorkOfRank& of_rank)
+{
+	const grid::BlockSet whole = setOfBlocks(blocks);
+	ranks::Ranks one = ranks::Ranks::alone();
+	alone(one, whole);
+	withMany(blocks, false, 1, of_rank);
+}
+
+// A grid in parts, `per_rank` at each rank.
+struct Parting
+{
+	Kind kind;
+	Place place;
+	int parts;
+	std::uint32_t per_rank = 1;
+};
+
+// The same for the parts of a grid, which one process has as a whole.
+inline void withOneAndWithMany(const Parting& parting, const WorkOfRank& alone, const WorkOfRank& of_rank)
+{
+	const grid::BlockSet whole = wholeOf(parting.kind, parting.place, parting.parts);
 	ranks::Ranks one = ranks::Ranks::alone();
 	alone(one, whole);
 	std::vector<grid::Block> blocks;
-	for (int part = 0; part < parts; ++part)
-		blocks.push_back(partOf(kind, place, part));
-	ranks::withTeam(parts,
-	                [&](ranks::Team& team)
-	                {
-		                ranks::Ranks ranks = ranksOf(team, kind == Kind::lattice);
-		                of_rank(ranks, shareOf(blocks, team.rank()));
-	                });
+	for (int part = 0; part < parting.parts; ++part)
+		blocks.push_back(partOf(parting.kind, parting.place, part));
+	withMany(blocks, parting.kind == Kind::lattice, parting.per_rank, of_rank);
 }
 
 } // namespace vp::test

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <tuple>
 
 using namespace vp;
 
@@ -62,6 +63,37 @@ TEST(CodeFormats, StatesOfLsdynaInFilesBesideTheMesh)
 	EXPECT_EQ(set.times, (std::vector<double>{0.5, 1.5}));
 	EXPECT_EQ(namedField(set, "temperature").value(119, 0), sampleValue(Vec3(4, 3, 5)));
 	EXPECT_EQ(namedField(set, "displacement").value(119, 0), 0.0);
+}
+
+// Places are the first values at nodes, the temperature follows; what follows mass scaling or heat flux is not known.
+TEST(CodeFormats, NodesOfLsdynaWithMassScalingOrHeatFlux)
+{
+	const std::string bytes = bytesOfSample("d3plot");
+	for (const auto& [kind, more_words, has_temperature] :
+	     {std::tuple{std::int64_t(11), 1, true}, {std::int64_t(2), 3, false}})
+	{
+		std::string mesh = bytes.substr(0, kMeshBytes), word;
+		addBytes(word, kind);
+		mesh.replace(8 * 19, 8, word);
+		constexpr std::size_t before = 8 * (1 + 6 + 3 * kSamplePointCount + kSamplePointCount);
+		const std::string state = bytes.substr(kMeshBytes + kStateBytes, kStateBytes);
+		const TemporaryFolder folder;
+		writeContents(folder / "d3plot",
+		              mesh + state.substr(0, before) +
+		                  repeatedWords(static_cast<std::size_t>(more_words) * kSamplePointCount, 0.125) +
+		                  state.substr(before) + repeatedWords(1, -999999.0));
+		const grid::BlockSet set = readWhole(folder / "d3plot");
+		EXPECT_EQ(namedField(set, "displacement").value(119, 0), 0.0);
+		const auto isThere = [&](const std::string& name)
+		{ return std::ranges::find(set.blocks.at(0).fields, name, &grid::Field::name) != set.blocks[0].fields.end(); };
+		EXPECT_EQ(isThere("temperature"), has_temperature);
+		if (has_temperature)
+		{
+			EXPECT_EQ(namedField(set, "temperature").value(119, 0), sampleValue(Vec3(4, 3, 5)));
+		}
+		EXPECT_FALSE(isThere("velocity"));
+		EXPECT_EQ(namedField(set, "stress").value(0, 1), 1.0);
+	}
 }
 
 TEST(CodeFormats, DeletedElementsOfLsdynaAreHidden)

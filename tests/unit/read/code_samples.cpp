@@ -223,13 +223,13 @@ void writeD3plot(const std::string& path)
 		addBytes(bytes, time);
 		for (int global = 0; global < 6; ++global)
 			addBytes(bytes, 1.0);
-		eachSamplePoint([&](const Vec3& at, int) { addBytes(bytes, time == 1.5 ? sampleValue(at) : 0.0); });
 		eachSamplePoint(
 		    [&](const Vec3& at, int)
 		    {
 			    for (int axis = 0; axis < 3; ++axis)
 				    addBytes(bytes, static_cast<double>(at[axis]) + (time == 1.5 ? 0.0 : 1.0));
 		    });
+		eachSamplePoint([&](const Vec3& at, int) { addBytes(bytes, time == 1.5 ? sampleValue(at) : 0.0); });
 		eachSamplePoint(
 		    [&](const Vec3&, int)
 		    {

@@ -1,4 +1,5 @@
-// Results of CONVERGE CFD (HDF5), by a parser of our own: VTK's asks no id whether it is one of a point.
+// Results of CONVERGE CFD (HDF5), by a parser of our own: VTK's writes past its memory where numbers have more bytes
+// than float and int, and shows what lies in memory where ids are wrong or lists too short.
 #include "fluent_case.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/boxes/cell_boxes.h"
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace
@@ -18,16 +20,15 @@ namespace
 
 std::vector<double> convergePlaces(const Hdf5File& file, const std::string& stream)
 {
-	std::vector<double> places;
+	std::array<std::vector<double>, 3> along;
 	for (std::size_t axis = 0; axis < 3; ++axis)
-	{
-		const std::vector<double> along = file.reals(stream + "/VERTEX_COORDINATES/" + "XYZ"[axis]);
-		places.resize(std::max(places.size(), 3 * along.size()));
-		if (3 * along.size() != places.size())
-			throw damaged("its points have not as many coordinates along each axis");
-		for (std::size_t p = 0; p < along.size(); ++p)
-			places[3 * p + axis] = along[p];
-	}
+		along[axis] = file.reals(stream + "/VERTEX_COORDINATES/" + "XYZ"[axis]);
+	const std::size_t count = along[0].size();
+	if (along[1].size() != count || along[2].size() != count)
+		throw damaged("its points have not as many coordinates along each axis");
+	std::vector<double> places;
+	for (std::size_t p = 0; p < count; ++p)
+		places.insert(places.end(), {along[0][p], along[1][p], along[2][p]});
 	return places;
 }
 

@@ -1,5 +1,6 @@
 // Data of the code Enzo: a text that lists boxes (.hierarchy), and HDF5 files with their values. By a parser of our
-// own: VTK's loops for ever where the text ends early.
+// own: VTK's takes only the last digit of a variable's index for its factor, and loops for ever where the text ends
+// early.
 #include "enzo_hierarchy.h"
 #include "vprobe-read/base/mapped_text.h"
 #include "vprobe-read/base/refusal.h"

@@ -1,5 +1,5 @@
-// Files of the code FLASH, by a parser of our own: VTK's takes the sides of arrays as they come. Leaves of the tree of
-// blocks are read; they do not overlap.
+// Files of the code FLASH, by a parser of our own: VTK's crashes at files of FLASH 2 and at arrays of other sides, and
+// takes what lies in memory for integers of 16 bits. Leaves of the tree of blocks are read; they do not overlap.
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/boxes/cell_boxes.h"
 #include "vprobe-read/formats/formats.h"

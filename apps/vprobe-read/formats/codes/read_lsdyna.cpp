@@ -1,4 +1,6 @@
-// LS-DYNA's d3plot files, by a parser of our own: VTK 9.1's crashes on small files. Solids and thick shells are read.
+// LS-DYNA's d3plot files, by a parser of our own: VTK 9.1's crashes if all states are in one file, writes past its
+// memory at ids of nodes that are not there, and shows what lies in memory if a file is cut short. Solids and thick
+// shells are read.
 #include "vprobe-read/base/mapped_text.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/checks/lsdyna_words.h"
@@ -178,18 +180,14 @@ vtkSmartPointer<vtkPoints> lsdynaPoints(vtkDataArray* places)
 	return points;
 }
 
-// Values at nodes follow each other kind by kind. The places are where the nodes have moved to.
-void addLsdynaNodes(const LsdynaControl& control, const LsdynaState& state, vtkUnstructuredGrid* grid)
+// Values at nodes follow each other kind by kind. The places are where the nodes have moved to, and come first. The
+// manual counts the temperature before them, but LS-DYNA writes it behind them (issue 9 of lasso-python; VTK's reader).
+void addLsdynaNodes(const LsdynaControl& control, const LsdynaState& state, vtkUnstructuredGrid* grid,
+                    ManifestWriter& manifest)
 {
 	const LsdynaWords& words = *state.words;
 	std::size_t at = state.at + control.nodesAt();
 	const auto nodes = static_cast<std::size_t>(control.nodes);
-	if (const std::size_t width = control.temperatureWords(); width > 0)
-	{
-		grid->GetPointData()->AddArray(lsdynaArray(words, at, width, control.nodes, 1, "temperature"));
-		at += width * nodes;
-	}
-	at += control.massWords() * nodes;
 	if (control.has_places != 0)
 	{
 		const auto moved = lsdynaArray(words, at, 3, control.nodes, 3, "places");
@@ -204,6 +202,17 @@ void addLsdynaNodes(const LsdynaControl& control, const LsdynaState& state, vtkU
 		grid->GetPointData()->AddArray(displacement);
 		at += 3 * nodes;
 	}
+	const bool has_flux = control.temperatureWords() > 1;
+	if (control.temperatureWords() == 1)
+		grid->GetPointData()->AddArray(lsdynaArray(words, at, 1, control.nodes, 1, "temperature"));
+	if (has_flux || control.massWords() > 0)
+	{
+		manifest.warn(fmt::format("{} is left out at nodes, since programs disagree about its order beside {}",
+		                          has_flux ? "all but the displacement" : "velocity and acceleration",
+		                          has_flux ? "heat flux" : "mass scaling"));
+		return;
+	}
+	at += control.temperatureWords() * nodes;
 	for (const auto& [is_there, name] :
 	     {std::pair{control.has_velocities, "velocity"}, {control.has_accelerations, "acceleration"}})
 		if (is_there != 0)
@@ -283,7 +292,7 @@ void readLsdyna(const Request& request, ManifestWriter& manifest)
 	if (const auto step = offerSteps(times, request, manifest))
 	{
 		const LsdynaState& state = family.states()[*step];
-		addLsdynaNodes(control, state, grid);
+		addLsdynaNodes(control, state, grid, manifest);
 		addLsdynaCells(control, state, grid, manifest);
 		hideDeleted(control, state, grid);
 	}

@@ -1,5 +1,5 @@
-// Cases of MFIX, by a parser of our own: VTK's goes on with old values where a file ends early. Its ghosts are left
-// out.
+// Cases of MFIX, by a parser of our own: VTK's goes on with old values where a file ends early, keeps ghosts in the
+// bounds and mirrors cylinders. Ghosts are left out here.
 #include "mfix_values.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/cells/grown_cells.h"

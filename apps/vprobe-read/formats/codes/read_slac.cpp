@@ -1,6 +1,7 @@
-// Meshes of SLAC's codes for accelerators (netCDF), with the modes that lie in a file of their own. By a parser of our
-// own: VTK's takes ids as they come.
+// Meshes of SLAC's codes for accelerators (netCDF), by VTK's reader. The modes, which lie in a file of their own, are
+// read here: VTK's reader turns them by their frequency, and rounds them on the way.
 #include "vprobe-read/base/refusal.h"
+#include "vprobe-read/checks/complaints.h"
 #include "vprobe-read/checks/netcdf_size.h"
 #include "vprobe-read/formats/formats.h"
 #include "vprobe-read/formats/volumes/cf_values.h"
@@ -9,70 +10,20 @@
 #include "vprobe-read/manifest/manifest_writer.h"
 #include "vprobe-read/manifest/time_choice.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellType.h>
 #include <vtkDoubleArray.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
+#include <vtkSLACReader.h>
 #include <vtkUnstructuredGrid.h>
 
-#include <cmath>
 #include <filesystem>
-#include <map>
 
 namespace
 {
 
-// By the volume that they are in.
-using SlacTetrahedra = std::map<std::int64_t, std::vector<std::array<vtkIdType, 4>>>;
-
-constexpr std::size_t kMaxVolumes = 4096;
 // What the files call a frequency is a time in seconds where it is less than any frequency that they are about.
 constexpr double kMinFrequency = 100.0;
-
-double volumeOf(const std::vector<double>& places, const std::array<vtkIdType, 4>& ids)
-{
-	std::array<std::array<double, 3>, 3> edge;
-	for (std::size_t e = 0; e < 3; ++e)
-		for (std::size_t axis = 0; axis < 3; ++axis)
-			edge[e][axis] = places[3 * static_cast<std::size_t>(ids[e + 1]) + axis] -
-			                places[3 * static_cast<std::size_t>(ids[0]) + axis];
-	return edge[0][0] * (edge[1][1] * edge[2][2] - edge[1][2] * edge[2][1]) -
-	       edge[0][1] * (edge[1][0] * edge[2][2] - edge[1][2] * edge[2][0]) +
-	       edge[0][2] * (edge[1][0] * edge[2][1] - edge[1][1] * edge[2][0]);
-}
-
-// Rows of a volume, four points and, on the boundary, what bounds each of the faces.
-void addSlacTetrahedra(const NetcdfFile& file, const char* name, std::size_t row, const std::vector<double>& places,
-                       SlacTetrahedra& all)
-{
-	const int variable = file.variable(name);
-	if (variable < 0)
-		return;
-	const auto sides = file.dimensions(variable);
-	if (sides.size() != 2 || sides[1].second != row)
-		throw damaged(fmt::format("{} has no rows of {}", name, row));
-	const std::vector<double> numbers = file.values(variable);
-	for (std::size_t at = 0; at < numbers.size(); at += row)
-	{
-		std::array<vtkIdType, 4> ids;
-		for (std::size_t i = 0; i < 4; ++i)
-		{
-			const double id = numbers[at + 1 + i];
-			if (!(id >= 0.0 && 3.0 * id < static_cast<double>(places.size())))
-				throw damaged(fmt::format("{} has the point {} of {}", name, id, places.size() / 3));
-			ids[i] = static_cast<vtkIdType>(id);
-		}
-		if (volumeOf(places, ids) < 0.0)
-			std::swap(ids[0], ids[1]);
-		if (!(std::abs(numbers[at]) < 1e9))
-			throw damaged(fmt::format("{} has the volume {}", name, numbers[at]));
-		all[static_cast<std::int64_t>(numbers[at])].push_back(ids);
-		if (all.size() > kMaxVolumes)
-			throw damaged("it has more volumes than it can");
-	}
-}
 
 // The only file of modes beside the mesh; empty where there are several or none.
 std::string slacModesBeside(const std::string& mesh)
@@ -125,42 +76,17 @@ std::vector<vtkSmartPointer<vtkDoubleArray>> slacModes(const std::string& path, 
 	return arrays;
 }
 
-// A volume's tetrahedra, with the points that they use.
-vtkSmartPointer<vtkUnstructuredGrid> slacGrid(const std::vector<std::array<vtkIdType, 4>>& tetrahedra,
-                                              const std::vector<double>& places,
-                                              const std::vector<vtkSmartPointer<vtkDoubleArray>>& modes)
+// Tetrahedra by the volume that they are in. Each grid has all points of the mesh.
+vtkSmartPointer<vtkMultiBlockDataSet> slacVolumes(const std::string& path)
 {
-	auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-	vtkNew<vtkPoints> points;
-	points->SetDataTypeToDouble();
-	vtkPointData* data = grid->GetPointData();
-	for (const auto& mode : modes)
-	{
-		vtkNew<vtkDoubleArray> part;
-		part->SetName(mode->GetName());
-		part->SetNumberOfComponents(mode->GetNumberOfComponents());
-		data->AddArray(part);
-	}
-	std::vector<vtkIdType> new_ids(places.size() / 3, -1);
-	vtkNew<vtkCellArray> cells;
-	for (std::array<vtkIdType, 4> ids : tetrahedra)
-	{
-		for (vtkIdType& id : ids)
-		{
-			vtkIdType& new_id = new_ids[static_cast<std::size_t>(id)];
-			if (new_id < 0)
-			{
-				new_id = points->InsertNextPoint(places.data() + 3 * id);
-				for (std::size_t m = 0; m < modes.size(); ++m)
-					data->GetArray(static_cast<int>(m))->InsertNextTuple(id, modes[m]);
-			}
-			id = new_id;
-		}
-		cells->InsertNextCell(4, ids.data());
-	}
-	grid->SetPoints(points);
-	grid->SetCells(VTK_TETRA, cells);
-	return grid;
+	vtkNew<vtkSLACReader> reader;
+	reader->SetMeshFileName(path.c_str());
+	reader->ReadInternalVolumeOn();
+	reader->ReadExternalSurfaceOff();
+	reader->ReadMidpointsOff();
+	reader->Update();
+	refuseOnComplaint();
+	return vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(vtkSLACReader::VOLUME_OUTPUT));
 }
 
 } // namespace
@@ -169,14 +95,13 @@ void readSlac(const Request& request, ManifestWriter& manifest)
 {
 	refuseShortNetcdf(request.file);
 	refuseMissingParts(request.file);
-	const NetcdfFile file(request.file);
-	const int variable = file.variable("coords");
-	const std::vector<double> places = variable < 0 ? std::vector<double>() : cfNumbers(file, variable);
-	if (places.empty() || places.size() % 3 != 0)
-		throw damaged("it has no places of points (coords)");
-	SlacTetrahedra volumes;
-	addSlacTetrahedra(file, "tetrahedron_interior", 5, places, volumes);
-	addSlacTetrahedra(file, "tetrahedron_exterior", 9, places, volumes);
+	const auto volumes = slacVolumes(request.file);
+	std::vector<std::pair<unsigned, vtkUnstructuredGrid*>> grids;
+	for (unsigned volume = 0; volume < volumes->GetNumberOfBlocks(); ++volume)
+		if (auto* grid = vtkUnstructuredGrid::SafeDownCast(volumes->GetBlock(volume)))
+			grids.emplace_back(volume, grid);
+	if (grids.empty())
+		throw Refusal("nothing to slice: it holds no tetrahedra");
 
 	const std::string path = request.solution.empty() ? slacModesBeside(request.file) : request.solution;
 	std::vector<vtkSmartPointer<vtkDoubleArray>> modes;
@@ -184,15 +109,17 @@ void readSlac(const Request& request, ManifestWriter& manifest)
 	if (path.empty())
 		manifest.warn("no file of modes (.mod), or more than one, lies beside this mesh; --solution names one");
 	else
-		modes = slacModes(path, places.size() / 3, time);
+		modes = slacModes(path, static_cast<std::size_t>(grids[0].second->GetNumberOfPoints()), time);
 	std::vector<double> times = inOrder({time});
 	if (!(time < kMinFrequency))
 		times.clear();
 	chooseIfAny(times, request);
 	manifest.offerTimes(std::move(times));
-	for (const auto& [volume, tetrahedra] : volumes)
+	for (const auto& [volume, grid] : grids)
 	{
-		manifest.setPrefix(volumes.size() > 1 ? fmt::format("volume {}", volume) : "");
-		manifest.add(slacGrid(tetrahedra, places, modes));
+		for (const auto& mode : modes)
+			grid->GetPointData()->AddArray(mode);
+		manifest.setPrefix(grids.size() > 1 ? fmt::format("volume {}", volume) : "");
+		manifest.add(grid);
 	}
 }

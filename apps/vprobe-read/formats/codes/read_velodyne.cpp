@@ -1,5 +1,5 @@
-// Results of the code Velodyne (.xamr), by a parser of our own: VTK's does not look whether its arrays are as long as
-// they should be. Only the leaves of its tree of boxes hold values.
+// Results of the code Velodyne (.xamr), by a parser of our own: VTK 9.1's crashes at sound files, and does not look
+// whether its arrays are as long as they should be. Only the leaves of its tree of boxes hold values.
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/boxes/cell_boxes.h"
 #include "vprobe-read/formats/formats.h"

@@ -23,7 +23,7 @@ RenderThread::RenderThread(std::shared_ptr<gpu::Device> device, std::function<vo
     : device_(std::move(device)), wake_(std::move(wake)), thread_(
                                                               [this]
                                                               {
-	                                                              nameThreadRow("artist");
+	                                                              nameThreadRow("render");
 	                                                              work();
                                                               })
 {
@@ -39,7 +39,7 @@ RenderThread::~RenderThread()
 	thread_.join();
 }
 
-void RenderThread::ask(FrameRequest wish)
+void RenderThread::ask(PictureRequest wish)
 {
 	{
 		const std::lock_guard lock(mutex_);
@@ -105,7 +105,7 @@ void RenderThread::work()
 		const bool still = rough_ ? !changed_.wait_for(lock, kStill, woken) : (changed_.wait(lock, woken), false);
 		if (ends_)
 			return;
-		std::optional<FrameRequest> wish = still ? std::optional(shown_->wish) : std::exchange(wish_, std::nullopt);
+		std::optional<PictureRequest> wish = still ? std::optional(shown_->wish) : std::exchange(wish_, std::nullopt);
 		std::optional<Job> order;
 		if (!orders_.empty())
 		{
@@ -156,7 +156,7 @@ void RenderThread::install(std::unique_ptr<session::Session> session)
 	session_ = std::move(session);
 }
 
-void RenderThread::answer(const FrameRequest& wish, bool smooth)
+void RenderThread::answer(const PictureRequest& wish, bool smooth)
 {
 	const Status done = tried([&] { return show(wish, smooth); });
 	if (done)
@@ -165,7 +165,7 @@ void RenderThread::answer(const FrameRequest& wish, bool smooth)
 	error_ = done.error();
 }
 
-Status RenderThread::show(const FrameRequest& wish, bool smooth)
+Status RenderThread::show(const PictureRequest& wish, bool smooth)
 {
 	if (smooth)
 		return refine();
@@ -201,7 +201,7 @@ Status RenderThread::show(const FrameRequest& wish, bool smooth)
 Status RenderThread::refine()
 {
 	rough_ = false;
-	const FrameRequest wish = shown()->wish;
+	const PictureRequest wish = shown()->wish;
 	// An order may have led session and painter elsewhere.
 	if (!followed_ || !(followed_->spec == wish.spec) || grown_.cut != cut_ || !(grown_.pointed == wish.contour))
 		return show(wish, false);

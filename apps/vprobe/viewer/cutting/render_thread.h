@@ -52,7 +52,7 @@ struct PaneWish
 };
 
 // Asks for a picture to show or to save.
-struct FrameRequest
+struct PictureRequest
 {
 	std::uint64_t number = 0; // rises from request to request
 	view::ViewSpec spec;      // its size is the size of the picture
@@ -65,7 +65,7 @@ struct FrameRequest
 struct PresentedFrame
 {
 	std::shared_ptr<const gpu::Image> image; // gpu::kCopyFrom
-	FrameRequest wish;
+	PictureRequest wish;
 	probe::Probe probe; // as the picture shows it, with hidden sheets included
 	std::shared_ptr<const session::Frame> cut;
 	render::Camera camera;
@@ -93,7 +93,7 @@ struct PresentedFrame
 // Asks for a picture to save, with all samples and in the size of the request. What is shown does not change.
 struct PictureJob
 {
-	FrameRequest wish;
+	PictureRequest wish;
 	bool empty = false; // without the sheets, as the background of an exposure
 	std::function<void(Result<render::Picture>)> take;
 };
@@ -101,7 +101,7 @@ struct PictureJob
 // Asks for a file with the polygons of the sheets, or with the faces of their whole cells.
 struct CutJob
 {
-	FrameRequest wish;
+	PictureRequest wish;
 	std::string file;
 	std::function<void(Status)> done;
 };
@@ -120,7 +120,7 @@ public:
 	RenderThread(const RenderThread&) = delete;
 	RenderThread& operator=(const RenderThread&) = delete;
 
-	void ask(FrameRequest wish); // replaces a request that waits
+	void ask(PictureRequest wish); // replaces a request that waits
 	void order(Job order);
 	// The next request is for this session. A request that waits was for the session before, and is dropped.
 	void replaceSession(std::unique_ptr<session::Session> session);
@@ -142,19 +142,19 @@ private:
 	};
 
 	void work();
-	void answer(const FrameRequest& wish, bool smooth);
-	Status show(const FrameRequest& wish, bool smooth);
+	void answer(const PictureRequest& wish, bool smooth);
+	Status show(const PictureRequest& wish, bool smooth);
 	void install(std::unique_ptr<session::Session> session);
 	template <class Work>
 	auto tried(const Work& work) -> decltype(work());
 	// Gives the session the neighbors of cells once they are built. Waits for them only if they are needed.
 	Status takeNeighbors(bool needed);
-	Status follow(const FrameRequest& wish);
-	Status followAll(const FrameRequest& wish);
-	Status followLook(const FrameRequest& wish);
+	Status follow(const PictureRequest& wish);
+	Status followAll(const PictureRequest& wish);
+	Status followLook(const PictureRequest& wish);
 	Status followTime(const read::TimeChoice& time);
 	Result<double> cutAsWished(); // returns milliseconds; 0 if the last cut was reused
-	Status growAsWished(const FrameRequest& wish);
+	Status growAsWished(const PictureRequest& wish);
 	void answer(Job& order);
 	Result<render::Picture> picture(const PictureJob& order);
 	Status writeSlice(const CutJob& order);
@@ -173,7 +173,7 @@ private:
 	// Used by the render thread only.
 	std::unique_ptr<session::Session> session_;
 	std::optional<picture::Painter> painter_;
-	std::optional<FrameRequest> followed_; // the request that session and painter follow
+	std::optional<PictureRequest> followed_; // the request that session and painter follow
 	std::shared_ptr<const session::Frame> cut_;
 	std::uint64_t cuts_ = 0;
 	NeighborBuilder neighbors_;
@@ -185,7 +185,7 @@ private:
 
 	mutable std::mutex mutex_;
 	std::condition_variable changed_;
-	std::optional<FrameRequest> wish_;
+	std::optional<PictureRequest> wish_;
 	std::deque<Job> orders_;
 	std::unique_ptr<session::Session> next_session_;
 	std::shared_ptr<const PresentedFrame> shown_;

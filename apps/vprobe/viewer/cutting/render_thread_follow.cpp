@@ -34,7 +34,7 @@ Status RenderThread::takeNeighbors(bool needed)
 	return session_->takeNeighbors(std::move(**built)); // the time may have changed meanwhile, and the values with it
 }
 
-Status RenderThread::follow(const FrameRequest& wish)
+Status RenderThread::follow(const PictureRequest& wish)
 {
 	Status done = takeNeighbors(session::needsNeighbors(wish.spec) || wish.contour);
 	if (done)
@@ -45,7 +45,7 @@ Status RenderThread::follow(const FrameRequest& wish)
 }
 
 // Session and painter, as the wish has them. What has not changed is left as it is.
-Status RenderThread::followAll(const FrameRequest& wish)
+Status RenderThread::followAll(const PictureRequest& wish)
 {
 	if (!followed_ || !(followed_->spec.input.time == wish.spec.input.time))
 		if (Status moved = followTime(wish.spec.input.time); !moved)
@@ -72,7 +72,7 @@ Status RenderThread::followTime(const read::TimeChoice& time)
 	return Nothing{};
 }
 
-Status RenderThread::followLook(const FrameRequest& wish)
+Status RenderThread::followLook(const PictureRequest& wish)
 {
 	Result<view::ResolvedLook> look = view::resolveLook(wish.spec);
 	if (!look)
@@ -87,7 +87,7 @@ Status RenderThread::followLook(const FrameRequest& wish)
 }
 
 // What can have no contours, such as arrays of cells, has none.
-Status RenderThread::growAsWished(const FrameRequest& wish)
+Status RenderThread::growAsWished(const PictureRequest& wish)
 {
 	view::ContourSpec options = wish.spec.look.contour;
 	options.opacity = 1.0; // a matter of drawing

@@ -169,15 +169,15 @@ void Document::ask(PixelSize size)
 		++version_;
 	asked_ = version_;
 	asked_size_ = size;
-	FrameRequest next = frameRequest();
+	PictureRequest next = pictureRequest();
 	next.pane = pane_;
 	render_thread_.ask(std::move(next));
 }
 
 // Returns a request for a picture of the state, in the size that was last asked for.
-FrameRequest Document::frameRequest() const
+PictureRequest Document::pictureRequest() const
 {
-	FrameRequest wish{version_, state(), input_.value_or(std::chrono::steady_clock::now())};
+	PictureRequest wish{version_, state(), input_.value_or(std::chrono::steady_clock::now())};
 	wish.spec.look.size = {asked_size_.width, asked_size_.height};
 	wish.contour = pointed_contour_;
 	return wish;

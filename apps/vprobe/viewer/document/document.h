@@ -122,7 +122,7 @@ public:
 	void pointContour(const std::optional<session::PointedValue>& pointed);
 	const std::optional<session::PointedValue>& pointedContour() const { return pointed_contour_; }
 	const std::shared_ptr<const PresentedFrame>& shown() const { return shown_; }
-	FrameRequest frameRequest() const; // a request for the state as it is, in the size that was last asked for
+	PictureRequest pictureRequest() const; // a request for the state as it is, in the size that was last asked for
 	bool isIdle() const;
 	bool isDrawing() const { return render_thread_.isBusy(); } // a picture is under way
 	bool isShown() const;                                      // the picture shows the state as it is

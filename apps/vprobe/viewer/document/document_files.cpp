@@ -102,7 +102,7 @@ void Document::saveState(const std::string& file)
 
 void Document::savePicture(const std::string& file, std::uint32_t width, std::uint32_t height)
 {
-	FrameRequest like = frameRequest();
+	PictureRequest like = pictureRequest();
 	like.spec.look.size = {width, height};
 	mail_->expect(file);
 	render_thread_.order(PictureJob{like, false,
@@ -119,7 +119,7 @@ void Document::saveSlice(const std::string& file)
 	if (Result<write::SliceFormat> format = write::sliceFormatOf(file); !format)
 		return notify(format.error());
 	mail_->expect(file);
-	render_thread_.order(CutJob{frameRequest(), file, [file, mail = mail_](const Status& written) {
+	render_thread_.order(CutJob{pictureRequest(), file, [file, mail = mail_](const Status& written) {
 		                            mail->leave(file, noticeOf(written, fmt::format("Saved {}", file)));
 	                            }});
 }

@@ -22,7 +22,7 @@ constexpr double kSpeedFactor = 1.25;
 // Number of frames that the render thread holds: it draws one, and one waits.
 constexpr int kOrdered = 2;
 
-bool sameButPlace(const FrameRequest& a, const FrameRequest& b)
+bool sameButPlace(const PictureRequest& a, const PictureRequest& b)
 {
 	view::ViewSpec placed = a.spec;
 	takePlace(placed.probe, b.spec.probe);
@@ -201,7 +201,7 @@ void Playback::record()
 		return cancelRecording();
 	if (!canSweep())
 		return;
-	const FrameRequest like = document_.frameRequest();
+	const PictureRequest like = document_.pictureRequest();
 	const auto [width, height] = like.spec.look.size;
 	const std::size_t bytes = FilmLoop::bytesOf(frames(), width, height);
 	if (bytes > FilmLoop::kMaxBytes)
@@ -242,7 +242,7 @@ void Playback::orderFrames()
 	while (recording_->ordered < film->frames() && recording_->ordered - film->recorded() < kOrdered)
 	{
 		const int frame = recording_->ordered++;
-		FrameRequest wish = recording_->like;
+		PictureRequest wish = recording_->like;
 		const view::ViewSpec posed = path_.at(frame, document_.state());
 		wish.spec.probe = posed.probe;
 		wish.spec.input.time = posed.input.time;
@@ -271,7 +271,7 @@ bool Playback::filmIsGood() const
 {
 	if (!film_ || film_->frames() != frames())
 		return false;
-	return sameButPlace(document_.frameRequest(), film_like_);
+	return sameButPlace(document_.pictureRequest(), film_like_);
 }
 
 std::shared_ptr<const render::Picture> Playback::filmPicture() const

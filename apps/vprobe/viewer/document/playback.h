@@ -27,7 +27,7 @@ public:
 	{
 		std::shared_ptr<FilmLoop> film;
 		int ordered = 0;
-		FrameRequest like; // the size and the look of its pictures
+		PictureRequest like; // the size and the look of its pictures
 	};
 
 	// All arguments outlive this object.
@@ -71,7 +71,7 @@ private:
 	SweepPlayer path_;
 	std::optional<Recording> recording_;
 	std::shared_ptr<const FilmLoop> film_;
-	FrameRequest film_like_;
+	PictureRequest film_like_;
 	std::shared_ptr<const render::Picture> exposure_;
 };
 

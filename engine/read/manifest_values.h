@@ -1,0 +1,45 @@
+#pragma once
+
+#include "grid/field.h"
+#include "grid/points.h"
+#include "read/mapping.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace vp::read
+{
+
+// Checked values of a manifest. All functions throw Unusable if a value is not what it should be.
+
+constexpr std::uint64_t kAnyCount = ~std::uint64_t(0);
+
+std::uint64_t countOf(const nlohmann::json& value);
+double finiteOf(const nlohmann::json& value);
+Vec3 vectorOf(const nlohmann::json& value);
+// Returns a text without control characters, cut to a length that a message may have.
+std::string wordsOf(const nlohmann::json& value);
+grid::NumberType numberTypeOf(const std::string& name);
+
+// Returns the bytes of an array that holds so many numbers of its type.
+Array<std::byte> bytesOf(const SharedBytes& memory, const nlohmann::json& array, grid::NumberType type,
+                         std::uint64_t numbers);
+
+// The same, if the manifest gives the array this type.
+Array<std::byte> bytesOfType(const SharedBytes& memory, const nlohmann::json& array, grid::NumberType type,
+                             std::uint64_t numbers);
+
+template <class T>
+Array<T> numbersOf(const SharedBytes& memory, const nlohmann::json& array, grid::NumberType type,
+                   std::uint64_t numbers = kAnyCount)
+{
+	const Array<std::byte> bytes = bytesOfType(memory, array, type, numbers);
+	return {memory.owner, reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
+}
+
+grid::Points coordinatesOf(const SharedBytes& memory, const nlohmann::json& array, std::uint64_t points = kAnyCount);
+
+} // namespace vp::read
