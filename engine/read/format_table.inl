@@ -34,7 +34,7 @@ VP_FORMAT("exodus", ".ex2 .e .exo .exii .g", "Exodus II, netCDF and HDF5",
           head.holds("num_nodes") && head.holds("num_dim"), more, Exodus)
 VP_FORMAT("metaimage", ".mhd .mha", "MetaImage, raw, text and compressed", "orientation; components; times; units",
           "vprobe", beside, head.ends({".mhd", ".mha"}) && head.has("NDims"), base, MetaImage)
-VP_FORMAT("plot3d", ".xyz .x .p3d .bin", "PLOT3D, text and binary, with its solution",
+VP_FORMAT("plot3d", ".xyz .x .g .p3d .bin", "PLOT3D, text and binary, with its solution",
           "grids; iblank; solution and function files", "VTK", beside, head.ends({".xyz", ".x", ".g", ".p3d", ".bin"}),
           more, Plot3d)
 VP_FORMAT("npy", ".npy", "NumPy array of three axes, or four with components", "one array", "vprobe", alone,
