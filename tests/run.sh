@@ -157,9 +157,23 @@ print_slowest()
 	sort -rn | sed -nE '1,5s/^([0-9.]+) /  \1 s  /p' # reads to the end: a sort that cannot write would end the run
 }
 
+# Where the kernel has not all of the reader's sandbox (SECURITY.md), vprobe says so in a line, which tests of quiet runs
+# would take for a fault.
+check_sandbox()
+{
+	local sample=build/sandbox.vtk
+	printf '%s\n' '# vtk DataFile Version 3.0' sample ASCII 'DATASET STRUCTURED_POINTS' 'DIMENSIONS 2 2 2' 'ORIGIN 0 0 0' \
+		'SPACING 1 1 1' >"$sample"
+	if build/release/bin/vprobe info "$sample" 2>&1 | grep -q 'sandbox is not complete'; then
+		export VPROBE_SANDBOX=off
+		skipped+=("sandbox: the kernel has not all of it")
+	fi
+}
+
 test_release()
 {
 	if build release all; then
+		check_sandbox
 		run_tests release
 	else
 		failed=$((failed + 1))
