@@ -168,10 +168,12 @@ void addConditions(Filter& filter, const Permits& permits)
 		filter.on(SYS_execve, allow);
 	filter.on(SYS_kill, anyOf(0, {self}, EACCES));
 	filter.on(SYS_tgkill, anyOf(0, {self}, EACCES));
-	filter.on(SYS_prlimit64, ownLimits());
+	// A sanitizer sets limits where a program starts, and forks to look for leaks where it ends.
 	if (kSanitized)
-		for (const int call : {SYS_clone, SYS_prctl, SYS_ptrace, SYS_personality, SYS_wait4, SYS_execve})
+		for (const int call :
+		     {SYS_clone, SYS_prctl, SYS_ptrace, SYS_personality, SYS_wait4, SYS_execve, SYS_prlimit64, SYS_setrlimit})
 			filter.on(call, allow);
+	filter.on(SYS_prlimit64, ownLimits());
 	filter.on(SYS_clone, onlyThreads());
 	filter.on(SYS_prctl,
 	          anyOf(0, {PR_SET_NAME, PR_GET_NAME, PR_SET_NO_NEW_PRIVS, PR_GET_NO_NEW_PRIVS, PR_CAPBSET_READ}, ENOSYS));
