@@ -3,10 +3,9 @@
 // VP_FORMAT(NAME, ENDINGS, WHAT, READ, BY, FILES, SIGN, PROGRAM, FUNCTION)
 //
 // NAME is what --format takes. WHAT it is, what is READ of it, and BY what, stand in vprobe info --formats. FILES:
-// alone, or linked to others, or with files beside it, or all of its folder. The reader's sandbox opens the folder of the
-// input for all but the first. SIGN says whether a FileHead
-// (apps/vprobe-read/checks/file_head.h) is one of the format. PROGRAM reads it by read FUNCTION(): base is vprobe-read,
-// more is vprobe-read-more.
+// alone, or linked to others, or with files beside it, or all of its folder. The reader's sandbox opens the folder of
+// the input for all but the first. SIGN says whether a FileHead (apps/vprobe-read/checks/file_head.h) is one of the
+// format. PROGRAM reads it by read FUNCTION(): base is vprobe-read, more is vprobe-read-more.
 
 VP_FORMAT("raw", "", "raw volume, of the size and type that you give", "one array", "vprobe", alone, false, base, Raw)
 VP_FORMAT("vtk-legacy", ".vtk", "VTK legacy, text and binary", "every kind of grid", "VTK", alone,
