@@ -86,7 +86,7 @@ bool isOpenHere([[maybe_unused]] const std::string& name)
 {
 #ifdef VPROBE_SANITIZED
 	return std::set<std::string>{"process", "program", "program in memory", "environment",
-	                             "memory",  "ptrace",  "death signal"}
+	                             "memory",  "ptrace",  "death signal",      "limits"}
 	    .contains(name);
 #else
 	return false;
