@@ -165,7 +165,9 @@ Status checkRange(const LookSpec& look)
 		return Nothing{};
 	const auto [lo, hi] = *look.range;
 	if (!(lo < hi) || !std::isfinite(hi - lo))
-		return usage(fmt::format("`range` {} {}: the first number must be below the second", lo, hi));
+		return usage(fmt::format(
+		    "`range` {} {}: the first number must be below the second, and the width in `window_level` above 0", lo,
+		    hi));
 	if (look.logarithmic && lo <= 0.0)
 		return usage(fmt::format("`range` {} {}: `log` needs a range above 0; raise the first number", lo, hi));
 	return Nothing{};

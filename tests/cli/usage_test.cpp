@@ -152,6 +152,8 @@ INSTANTIATE_TEST_SUITE_P(
                     BadUsage{"time", {"--time", "yesterday"}, "--time"},
                     BadUsage{"emptyTime", {"--time", ""}, "--time"}, BadUsage{"timeIndex", {"--time", "#x"}, "--time"},
                     BadUsage{"component", {"--component", "w"}, "--component"},
+                    BadUsage{"noWidth", {"--window-level", "0", "40"}, "--window-level"},
+                    BadUsage{"noFolder", {"--follow", "absent"}, "no such folder"},
                     BadUsage{"thresholdUpsideDown", {"--threshold", "2", "1"}, "--threshold"},
                     BadUsage{"thresholdNotANumber", {"--threshold", "0", "nan"}, "--threshold"},
                     BadUsage{"thresholdOfOne", {"--threshold", "0"}, "--threshold"},

@@ -4,11 +4,27 @@
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace vp::app
 {
+
+namespace
+{
+
+// Returns what is wrong with a value of --follow, or nothing.
+std::string folderOrAnywhere(const std::string& folder)
+{
+	std::error_code unknown;
+	if (folder == "anywhere" || std::filesystem::is_directory(folder, unknown))
+		return {};
+	return folder + ": no such folder; name one, or anywhere";
+}
+
+} // namespace
 
 // They are no settings: a state or a file of commands must not open the sandbox.
 void addTrustOptions(CLI::App& command)
@@ -19,7 +35,8 @@ void addTrustOptions(CLI::App& command)
 	        "--follow", [](const std::vector<std::string>& folders) { read::setFollow(folders); },
 	        "Let INPUT name files in this folder, too, or anywhere; give it again for several (default: only in its "
 	        "own folder)")
-	    ->type_name("FOLDER")
+	    ->type_name("FOLDER|anywhere")
+	    ->check(folderOrAnywhere, "")
 	    ->expected(1)
 	    ->take_all()
 	    ->group(group);
@@ -27,7 +44,6 @@ void addTrustOptions(CLI::App& command)
 	    .add_option_function<std::string>(
 	        "--sandbox", [](const std::string& word) { read::setSandbox(*read::parseSandbox(word)); },
 	        "Read files in a sandbox: auto (what the system has), require or off (default: auto, or VPROBE_SANDBOX)")
-	    ->type_name("auto|require|off")
 	    ->check(CLI::IsMember({"auto", "require", "off"}))
 	    ->group(group);
 }
