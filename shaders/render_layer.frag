@@ -43,7 +43,8 @@ float meshLine()
 		a = b;
 	}
 	const float width = around > 0.0 ? 2.0 * abs(twice_area) / around : 0.0; // about right for a square or a long strip
-	return lineCoverage(nearest, width, push.mesh_half_width);
+	const float of_cell = exp2(float(uint(edges.y) >> kRecordWidthShift) / kRecordWidthSteps);
+	return lineCoverage(nearest, of_cell * width, push.mesh_half_width);
 }
 
 void main()

@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#extension GL_EXT_control_flow_attributes : require
 #include "shared/slice_types.h"
 #include "shared/render_types.h"
 #include "render_record.glsl"
@@ -41,11 +42,6 @@ const uint kClipPlanes = 5u;
 const uint kMaxClipped = kCorners + kClipPlanes; // each plane may add a corner
 const uint kOutline = kStage == kRasterHuge ? kMaxClipped : kCorners;
 const uint kChunk = 32u; // pixels looked at together: the bits of a word
-
-// Corners beyond this are clipped away, in subpixels: differences of places stay below 2^24, so floats hold them.
-const float kFarOutside = 4194304.0;
-// A polygon that covers more square pixels is huge.
-const float kHugeArea = 65536.0;
 
 // The polygon. Corners that it lacks are the first one again: edges between them have no length. All indices are constant once loops
 // are unrolled, so the arrays are registers.
@@ -149,11 +145,12 @@ Extent clipCorners()
 	uint count = vertices;
 	for (uint i = 0u; i < kCorners; ++i)
 		ring[i] = placeTimesW(uv[i]);
-	for (uint plane = 0u; plane < kClipPlanes; ++plane)
+	// Unrolled, these loops make so much code that lavapipe compiles it for seconds.
+	[[dont_unroll]] for (uint plane = 0u; plane < kClipPlanes; ++plane)
 	{
 		vec3 kept[kMaxClipped];
 		uint kept_count = 0u;
-		for (uint i = 0u; i < count; ++i)
+		[[dont_unroll]] for (uint i = 0u; i < count; ++i)
 		{
 			const vec3 a = ring[i];
 			const vec3 b = ring[i + 1u < count ? i + 1u : 0u];

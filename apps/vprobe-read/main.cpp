@@ -33,6 +33,9 @@ namespace fs = std::filesystem;
 namespace
 {
 
+// Its own name and those of protocol.h, without slices.
+constexpr int kArgumentCount = 18;
+
 // Adds to a reason which of the files that an index names is meant.
 std::string withPiece(const std::string& input, std::string reason)
 {
@@ -88,7 +91,7 @@ ArrayWish parseWish(std::string_view text)
 	return wish;
 }
 
-Request parseRequest(char** arguments)
+Request parseRequest(int count, char** arguments)
 {
 	Request request;
 	const std::string time = arguments[1];
@@ -106,7 +109,7 @@ Request parseRequest(char** arguments)
 	}
 	request.solution = arguments[2];
 	request.refine = std::strtod(arguments[3], nullptr);
-	request.displace = std::strtod(arguments[4], nullptr);
+	request.displace = arguments[4];
 	request.patches = std::string(arguments[5]) == "1";
 	request.threads = static_cast<int>(std::strtol(arguments[6], nullptr, 10));
 	request.arrays = parseWish(arguments[7]);
@@ -117,12 +120,16 @@ Request parseRequest(char** arguments)
 	request.parts = arguments[12];
 	request.sandbox = arguments[13];
 	request.follow = linesOf(arguments[14]);
-	request.file = arguments[15];
+	if (*arguments[15])
+		request.stays_above = std::strtoull(arguments[15], nullptr, 10);
+	request.unpack = arguments[16];
+	request.file = arguments[17];
+	request.slices.assign(arguments + kArgumentCount, arguments + count);
 	request.arguments = arguments;
 	return request;
 }
 
-void sendManifest(const std::string& text)
+void sendToParent(std::string_view text)
 {
 	std::size_t sent = 0;
 	while (sent < text.size())
@@ -140,14 +147,20 @@ void sendManifest(const std::string& text)
 int main(int argc, char** argv)
 {
 	const auto is_open = [](int fd) { return fcntl(fd, F_GETFD) >= 0; };
-	if (argc != 16 || !is_open(vp::read::kArraysFd) || !is_open(vp::read::kManifestFd) || !is_open(vp::read::kCellsFd))
+	if (argc < kArgumentCount || !is_open(vp::read::kArraysFd) || !is_open(vp::read::kManifestFd) ||
+	    !is_open(vp::read::kCellsFd))
 	{
 		std::fprintf(stderr, "vprobe-read is started by vprobe to read files; run vprobe info FILE instead\n");
 		return 1;
 	}
 	std::signal(SIGXFSZ, SIG_IGN); // a full arrays file shows as an error of the write
 	startCounting();
-	const Request request = parseRequest(argv);
+	Request request = parseRequest(argc, argv);
+	const ArrayWish wished = request.arrays;
+	if (!request.displace.empty())
+		request.stays_above = ~std::uint64_t(0);
+	if (!request.displace.empty())
+		request.arrays = {}; // any of them may say how points move
 	const Hold hold = request.sandbox == "off" ? Hold{} : closeDoor(openingFor(request));
 	if (request.sandbox == "require" && (hold.landlock == 0 || !hold.seccomp))
 		giveUp(
@@ -159,7 +172,14 @@ int main(int argc, char** argv)
 	{
 		installComplaints();
 		tellFiles(request.file);
-		ManifestWriter manifest(request.refine, request.arrays, !request.convert_to.empty(), PartFilter(request.parts));
+		if (!request.unpack.empty())
+		{
+			needHdf5(request);
+			unpackParts(request, sendToParent);
+			_exit(0);
+		}
+		ManifestWriter manifest(request.refine, wished, !request.convert_to.empty(), PartFilter(request.parts));
+		manifest.setDisplacement({request.displace, request.patches});
 		if (request.convert_to.ends_with(".vtkhdf"))
 			needHdf5(request);
 		readAnyFormat(request, manifest);
@@ -169,7 +189,7 @@ int main(int argc, char** argv)
 		const std::string text = manifest.finish();
 		if (!request.convert_to.empty())
 			writeConverted(manifest.kept(), request);
-		sendManifest(text);
+		sendToParent(text);
 	}
 	catch (const Refusal& refusal)
 	{

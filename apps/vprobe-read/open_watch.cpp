@@ -1,6 +1,7 @@
 // Replaces the system's functions that open files, for all libraries of this program, and notes each file that is
 // opened for reading. Rejected: a list in each of 40 readers, which would miss files that their libraries open.
 #include "vprobe-read/base/read_files.h"
+#include "vprobe-read/base/stand_in.h"
 
 #include <cerrno>
 #include <cstdarg>
@@ -65,11 +66,30 @@ bool isBlocked(const char* path)
 	return true;
 }
 
+// The file that another one stands in for; empty for none.
+std::string replaced_file, replacing_file;
+
+const char* pathToOpen(const char* path)
+{
+	return path && !replaced_file.empty() && replaced_file == path ? replacing_file.c_str() : path;
+}
+
 using Open = int(const char*, int, ...);
 using CheckedOpen = int(const char*, int);
 using OpenStream = std::FILE*(const char*, const char*);
 
 } // namespace
+
+StandIn::StandIn(const std::string& file, const std::string& other)
+{
+	replaced_file = file;
+	replacing_file = other;
+}
+
+StandIn::~StandIn()
+{
+	replaced_file.clear();
+}
 
 #define VP_OPEN(NAME, SYMBOL)                                                                                          \
 	VP_EXPORTED int NAME(const char* path, int flags, ...) __asm__(SYMBOL);                                            \
@@ -81,7 +101,9 @@ using OpenStream = std::FILE*(const char*, const char*);
 		const bool makes = (flags & O_CREAT) || (flags & O_TMPFILE) == O_TMPFILE;                                      \
 		const mode_t mode = makes ? va_arg(rest, mode_t) : 0;                                                          \
 		va_end(rest);                                                                                                  \
-		return onlyReads(flags) && isBlocked(path) ? -1 : opened(system(path, flags, mode), path, flags);              \
+		const bool reads = onlyReads(flags);                                                                           \
+		return reads && isBlocked(path) ? -1                                                                           \
+		                                : opened(system(reads ? pathToOpen(path) : path, flags, mode), path, flags);   \
 	}
 
 #define VP_CHECKED_OPEN(NAME, SYMBOL)                                                                                  \

@@ -9,8 +9,8 @@ namespace
 {
 
 std::atomic<bool> deferred = false;
-std::atomic<bool> waiting = false;
-static_assert(std::atomic<bool>::is_always_lock_free); // a signal handler may use it
+std::atomic<int> waiting = 0; // the signal that came, or 0
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free); // a handler uses them
 
 } // namespace
 
@@ -26,12 +26,17 @@ DeferredInterrupt::~DeferredInterrupt()
 
 bool DeferredInterrupt::came() const
 {
-	return waiting;
+	return waiting != 0;
 }
 
-bool deferInterrupt() noexcept
+bool deferInterrupt(int signal) noexcept
 {
-	return deferred && !waiting.exchange(true);
+	return deferred && waiting.exchange(signal) == 0;
+}
+
+int signalThatCame() noexcept
+{
+	return waiting;
 }
 
 } // namespace vp::app

@@ -3,8 +3,11 @@
 #include "base/kept_memory.h"
 #include "base/timeline.h"
 #include "interrupt.h"
+#include "last_word.h"
 #include "options/arguments.h"
 #include "options/first_word.h"
+#include "parts/source.h"
+#include "read/sandbox.h"
 #include "report/console.h"
 #include "report/progress_line.h"
 #include "team.h"
@@ -14,6 +17,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <memory>
@@ -30,16 +35,30 @@ namespace
 
 int exitStatus(ExitCode code)
 {
+	if (code == ExitCode::interrupted && signalThatCame() != 0)
+		return statusOfSignal(signalThatCame());
 	return static_cast<int>(code);
 }
 
-// Ctrl-C leaves no half-written file.
-void endInterrupted(int)
+// A request to end leaves no half-written file. As in a shell, the exit status names the signal.
+void endInterrupted(int signal)
 {
-	if (deferInterrupt())
+	if (deferInterrupt(signal))
 		return;
 	write::removeUnfinishedFiles();
-	_exit(exitStatus(ExitCode::interrupted));
+	_exit(statusOfSignal(signal));
+}
+
+// SIGHUP or SIGQUIT that was ignored at the start stays so: nohup has a program go on when its terminal goes.
+void endOnSignals()
+{
+	for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT})
+	{
+		struct sigaction before = {};
+		sigaction(signal, nullptr, &before);
+		if (before.sa_handler != SIG_IGN || signal == SIGINT || signal == SIGTERM)
+			std::signal(signal, endInterrupted);
+	}
 }
 
 // Returns CLI11's reason as one line that names the remedy.
@@ -65,13 +84,38 @@ int told(const Program& program)
 	return written ? exitStatus(ExitCode::done) : failed(program, written.error().message, ExitCode::output);
 }
 
-int carryOut(const Program& program, const Run& run)
+std::string sandboxOfReader()
+{
+	const Result<std::string> held = read::tryOutSandbox();
+	return held ? *held : fmt::format("not known ({})", held.error().message);
+}
+
+// Commands whose result a script may rely on.
+void addStrict(CLI::App& app, bool& is_strict)
+{
+	constexpr std::array kCommands{"slice", "render", "sweep", "sample", "convert", "verify"};
+	for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+		if (std::ranges::find(kCommands, command->get_name()) != kCommands.end())
+			command->add_flag("--strict", is_strict,
+			                  "Fail with exit code 6 if there was a warning, such as an empty slice");
+}
+
+// Counts what is said to the user.
+struct Said
+{
+	std::atomic<int> warnings = 0;
+	bool is_strict = false; // warnings are failures
+};
+
+int carryOut(const Program& program, const Run& run, const Said& said)
 {
 	try
 	{
 		Result<ExitCode> done = run();
 		if (Status written = flushOutput(); done && !written)
 			done = written.error();
+		if (done && *done == ExitCode::done && said.is_strict && said.warnings > 0)
+			return failed(program, "--strict: there were warnings", ExitCode::differs);
 		if (done)
 			return exitStatus(*done);
 		return failed(program, done.error().message, exitCodeOf(done.error().kind));
@@ -79,6 +123,10 @@ int carryOut(const Program& program, const Run& run)
 	catch (const std::bad_alloc&)
 	{
 		return failed(program, "out of memory; use a smaller input or a machine with more memory", ExitCode::output);
+	}
+	catch (const parts::Unreadable& error)
+	{
+		return failed(program, error.what(), exitCodeOf(ErrorKind::input));
 	}
 	catch (const std::exception& error)
 	{
@@ -99,18 +147,22 @@ int runProgram(const Program& program, int argc, char** argv)
 	keepFreedMemory();
 	nameThreadRow("main");
 	setProgramName(program.name);
+	Said said;
 	const MessageListener messages(
-	    [](Severity, std::string_view line)
+	    [&said](Severity severity, std::string_view line)
 	    {
+		    said.warnings += severity == Severity::warning;
 		    if (isFirst())
-			    printLine(line);
+			    printLine(severity == Severity::warning ? fmt::format("warning: {}", line) : std::string(line));
 	    });
 	const auto progress = isFirst() ? std::make_unique<ProgressLine>() : nullptr;
-	std::signal(SIGINT, endInterrupted);
-	std::signal(SIGTERM, endInterrupted);
+	endOnSignals();
+	std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large shows as an error of the write
+	sayLastWord(program.name);
 	Run run;
 	for (const auto add : program.commands)
 		add(app, run);
+	addStrict(app, said.is_strict);
 
 	// CLI11 would say that a command is missing, not that this word is not a command.
 	std::vector<std::string> commands;
@@ -121,6 +173,7 @@ int runProgram(const Program& program, int argc, char** argv)
 	if (!arguments)
 		return failed(program, fmt::format("{}; see {} --help", arguments.error().message, program.name),
 		              ExitCode::usage);
+	setCommandLine(*arguments);
 	try
 	{
 		app.parse(joinNumbers(*arguments));
@@ -134,14 +187,14 @@ int runProgram(const Program& program, int argc, char** argv)
 	catch (const CLI::CallForVersion&)
 	{
 		if (isFirst())
-			print("{} {}\n", program.name, kVersion);
+			print("{} {}\nsandbox: {}\n", program.name, kVersion, sandboxOfReader());
 		return told(program);
 	}
 	catch (const CLI::ParseError& error)
 	{
 		return failed(program, usageLine(program.name, app, error), ExitCode::usage);
 	}
-	return carryOut(program, run);
+	return carryOut(program, run, said);
 }
 
 } // namespace vp::app

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/result.h"
+#include "parts/source.h"
 
 #include <vprobe/result.h>
 
@@ -36,6 +37,10 @@ std::invoke_result_t<Work> guarded(Work&& work)
 	catch (const std::bad_alloc&)
 	{
 		return Error{ErrorKind::out_of_memory, "out of memory; use a smaller input or a machine with more memory"};
+	}
+	catch (const vp::parts::Unreadable& error)
+	{
+		return Error{ErrorKind::input, error.what()};
 	}
 	catch (const std::exception& error)
 	{

@@ -1,7 +1,6 @@
 #include "api/border.h"
 #include "api/states.h"
 #include "mesh/part_holes.h"
-#include "write/png.h"
 #include "write/set_arrays.h"
 #include "write/slice_file.h"
 
@@ -160,15 +159,18 @@ Mesh Cut::mesh(std::size_t sheet) const
 namespace
 {
 
-const vp::measure::SheetMeasure& measured(const Cut::State& cut, std::size_t sheet)
+const SheetFigures& measured(const Cut::State& cut, std::size_t sheet)
 {
 	const std::lock_guard lock(cut.measuring);
-	std::optional<vp::measure::SheetMeasure>& figures = cut.figures[sheet];
+	std::optional<SheetFigures>& figures = cut.figures[sheet];
 	if (!figures)
 	{
 		const std::shared_lock reading(cut.blocks->mutex);
-		figures = vp::measure::measure(*cut.blocks->blocks, cut.frame->sheets[sheet].mesh,
-		                               cut.frame->slice.sheets[sheet].field);
+		const vp::grid::BlockSet& blocks = *cut.blocks->blocks;
+		const vp::mesh::SheetMesh& mesh = cut.frame->sheets[sheet].mesh;
+		figures = {vp::measure::measure(blocks, mesh, cut.frame->slice.sheets[sheet].field), {}};
+		if (const std::optional<vp::grid::FieldChoice>& array = cut.flux_arrays[sheet])
+			figures->flux = vp::vectors::fluxThrough(blocks, mesh, *array);
 	}
 	return *figures;
 }
@@ -177,8 +179,7 @@ const vp::measure::SheetMeasure& measured(const Cut::State& cut, std::size_t she
 
 Figures Cut::figures(std::size_t sheet) const
 {
-	const vp::session::SheetStats& stats = state_->frame->sheets[sheet];
-	const vp::measure::SheetMeasure& measure = measured(*state_, sheet);
+	const auto& [measure, flux] = measured(*state_, sheet);
 	Figures figures;
 	figures.area = measure.area;
 	figures.boundary_area = measure.boundary_area;
@@ -188,10 +189,10 @@ Figures Cut::figures(std::size_t sheet) const
 	figures.min = measure.min;
 	figures.max = measure.max;
 	figures.components = measure.components;
-	if (stats.flux)
+	if (flux)
 	{
-		figures.flux = stats.flux->through;
-		figures.boundary_flux = stats.flux->boundary;
+		figures.flux = flux->through;
+		figures.boundary_flux = flux->boundary;
 	}
 	for (const vp::find::BlockCut& cut : state_->frame->slice.sheets[sheet].cuts)
 		figures.cut_cells += cut.cutCells();
@@ -265,45 +266,15 @@ Status Cut::save(const std::string& file) const
 	    {
 		    if (!state_->blocks)
 			    return Error{ErrorKind::usage, file + ": there is no cut to save; make one first"};
+		    const vp::Result<vp::write::SliceFormat> format = vp::write::sliceFormatOf(file);
+		    if (state_->table && format && *format == vp::write::SliceFormat::vtm)
+			    return Error{ErrorKind::usage, file + ": a copy of a slice is one part; use .vtp, .pvtp, .ply or .csv"};
+		    if (state_->table)
+			    return publicStatus(vp::write::writeTable(*state_->table, file));
 		    const std::shared_lock lock(state_->blocks->mutex);
 		    return publicStatus(vp::write::writeSlice(*state_->blocks->blocks,
 		                                              vp::session::exportedMeshes(state_->frame->sheets), file,
 		                                              vp::session::contourPieces(state_->frame->contours)));
-	    });
-}
-
-namespace
-{
-
-Result<vp::render::Picture> pictureOf(const Image& image, const std::string& name)
-{
-	if (image.rgba.size() != std::size_t(4) * image.width * image.height || image.rgba.empty())
-		return Error{ErrorKind::usage, name + ": the picture is empty; draw one first"};
-	return vp::render::Picture{image.width, image.height, image.rgba};
-}
-
-} // namespace
-
-Status Image::save(const std::string& file) const
-{
-	return guarded(
-	    [&]() -> Status
-	    {
-		    const Result<vp::render::Picture> picture = pictureOf(*this, file);
-		    return picture ? publicStatus(vp::write::writePng(*picture, file)) : picture.error();
-	    });
-}
-
-Result<std::string> Image::png() const
-{
-	return guarded(
-	    [&]() -> Result<std::string>
-	    {
-		    const Result<vp::render::Picture> picture = pictureOf(*this, "png");
-		    if (!picture)
-			    return picture.error();
-		    vp::Result<std::string> bytes = vp::write::pngBytes(*picture);
-		    return bytes ? Result<std::string>(std::move(*bytes)) : publicError(bytes.error());
 	    });
 }
 

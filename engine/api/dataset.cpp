@@ -4,6 +4,7 @@
 #include "grid/check/memory.h"
 #include "probe/probe_file.h"
 #include "read/check_mesh.h"
+#include "read/sandbox.h"
 #include "view/settings.h"
 #include "view/words.h"
 
@@ -46,15 +47,21 @@ Result<Dataset> Dataset::open(const std::vector<std::string>& files, const OpenO
 		    if (files.empty())
 			    return Error{ErrorKind::usage, "there is no file to open; name one, or demo:NAME"};
 		    spec.input.time = *time;
+		    for (const std::string& folder : options.follow)
+			    if (const vp::Status fits = vp::read::checkFollow(folder); !fits)
+				    return Error{ErrorKind::usage, "`follow` " + fits.error().message};
 		    if (const vp::Status set = vp::view::setByKey(spec, "inputs", options.inputs); !set)
 			    return publicError(set.error());
 		    spec.input.solution = options.solution;
 		    spec.input.refine = options.refine;
 		    spec.input.displace = options.displace;
+		    spec.input.displace_by = options.displace_by;
 		    spec.input.format = options.format;
+		    spec.input.cell_to_point = options.cell_to_point;
 		    spec.machine = machineOf(options.classify, options.device);
 		    Result<std::shared_ptr<DatasetState>> state = DatasetState::of(vp::session::Session::open(
-		        std::move(spec), {.expect = vp::session::Expect::one_cut, .stop = options.stop}));
+		        std::move(spec),
+		        {.expect = vp::session::Expect::one_cut, .follow = options.follow, .stop = options.stop}));
 		    return state ? Result<Dataset>(Dataset(std::move(*state))) : state.error();
 	    });
 }
@@ -150,7 +157,11 @@ std::vector<ArrayInfo> Dataset::arrays() const
 HeldBlock Dataset::block(std::size_t index) const
 {
 	const std::lock_guard lock(state_->mutex);
-	return heldBlock(state_->session->blocks().blocks[index]);
+	HeldBlock held = heldBlock(state_->session->blocks().blocks[index]);
+	const ArraySizes sizes = state_->sizes()[index];
+	held.points = sizes.points;
+	held.cells = sizes.cells;
+	return held;
 }
 
 MemoryUse Dataset::memory() const
@@ -177,15 +188,37 @@ Status Dataset::setFields(std::vector<std::vector<Field>> fields)
 	    [&]() -> Status
 	    {
 		    const std::lock_guard lock(state_->mutex);
-		    vp::session::Session& session = *state_->session;
-		    const bool is_wrapped = !state_->array_sizes.empty();
-		    vp::Result<std::vector<std::vector<vp::grid::Field>>> checked =
-		        checkedFields(is_wrapped ? state_->array_sizes : arraySizes(session.blocks()), fields);
+		    vp::Result<std::vector<std::vector<vp::grid::Field>>> checked = checkedFields(state_->sizes(), fields);
 		    if (!checked)
 			    return publicError(checked.error());
 		    state_->keepBlocksOfCuts();
-		    if (vp::Status replaced = session.replaceFields(std::move(*checked)); !replaced)
+		    state_->added.clear();
+		    if (vp::Status replaced = state_->session->replaceFields(std::move(*checked)); !replaced)
 			    return publicError(replaced.error());
+		    return Nothing{};
+	    });
+}
+
+Status Dataset::setArray(std::vector<Field> of_each_block)
+{
+	return guarded(
+	    [&]() -> Status
+	    {
+		    const std::lock_guard lock(state_->mutex);
+		    std::vector<std::vector<Field>> each;
+		    for (Field& field : of_each_block)
+			    each.push_back({std::move(field)});
+		    const vp::Result<std::vector<std::vector<vp::grid::Field>>> checked = checkedFields(state_->sizes(), each);
+		    if (!checked)
+			    return publicError(checked.error());
+		    std::vector<vp::grid::Field> array;
+		    for (const std::vector<vp::grid::Field>& of_block : *checked)
+			    array.push_back(of_block.front());
+		    state_->keepBlocksOfCuts();
+		    state_->session->setArray(array);
+		    std::erase_if(state_->added, [&](const std::vector<vp::grid::Field>& known)
+		                  { return known[0].name == array[0].name && known[0].association == array[0].association; });
+		    state_->added.push_back(std::move(array));
 		    return Nothing{};
 	    });
 }
@@ -223,6 +256,13 @@ Result<std::string> Dataset::probeText(const View& view) const
 
 Result<Image> Dataset::render(const Cut& cut, const View& view, std::stop_token stop) const
 {
+	if (cut.state_->is_own)
+		return guarded(
+		    [&]
+		    {
+			    const std::lock_guard lock(state_->mutex);
+			    return state_->drawOwn(cut, view, stop);
+		    });
 	return withView<Image>(*state_, view, [&] { return state_->draw(cut, stop); });
 }
 

@@ -1,5 +1,7 @@
 #include "api/border.h"
 #include "api/states.h"
+#include "gpu/instance.h"
+#include "session/sheet_traces.h"
 #include "session/time_steps.h"
 #include "view/validate.h"
 
@@ -43,10 +45,28 @@ void DatasetState::keepBlocksOfCuts()
 	++linking; // such a cut cannot be drawn on the blocks to come
 }
 
+std::vector<ArraySizes> DatasetState::sizes() const
+{
+	return array_sizes.empty() ? arraySizes(session->blocks()) : array_sizes;
+}
+
 vp::Status DatasetState::moveTo(const vp::read::TimeChoice& time)
 {
 	keepBlocksOfCuts();
-	return session->goTo(time);
+	if (vp::Status moved = session->goTo(time); !moved)
+		return moved;
+	// Arrays of the caller's stay where the grid of that time is as large.
+	const std::vector<ArraySizes> now = sizes();
+	for (const std::vector<vp::grid::Field>& array : added)
+	{
+		bool fits = array.size() == now.size();
+		for (std::size_t b = 0; fits && b < now.size(); ++b)
+			fits = array[b].tuples() ==
+			       (array[b].association == vp::grid::Association::point ? now[b].points : now[b].cells);
+		if (fits)
+			session->setArray(array);
+	}
+	return vp::Nothing{};
 }
 
 vp::Status DatasetState::returnToItsTime()
@@ -66,6 +86,10 @@ vp::Status DatasetState::take(const View& view, bool for_sweep)
 		if (vp::Status returned = returnToItsTime(); !returned)
 			return returned;
 	vp::view::ViewSpec spec = view.state_->spec;
+	if (spec.input.cell_to_point && !session->spec().input.cell_to_point)
+		return vp::Error{
+		    vp::ErrorKind::usage,
+		    "`cell_to_point`: is said when data are opened; give it to open(), or smooth the arrays before"};
 	spec.input = session->spec().input;
 	spec.machine.classify = session->spec().machine.classify;
 	spec.machine.device = session->spec().machine.device;
@@ -75,6 +99,8 @@ vp::Status DatasetState::take(const View& view, bool for_sweep)
 		return one;
 	if (vp::Status known = vp::view::refuseGenerations(spec.probe, spec.look.color_by); !known)
 		return known;
+	if (spec.probe.interpolate != session->spec().probe.interpolate)
+		keepBlocksOfCuts(); // their figures are measured later, with their arrays marked as they were
 	request = {};
 	return session->set(std::move(spec));
 }
@@ -95,9 +121,7 @@ vp::session::FrameRequest DatasetState::nextRequest() const
 	next.expect = cuts > 0 ? vp::session::Expect::more
 	              : sweeps ? vp::session::Expect::first_of_many
 	                       : vp::session::Expect::one_cut;
-	// A sheet that is shown or exported needs no figures, but the flux depends on settings that may change.
-	next.wants.figures = session->spec().probe.vectors.on() ? vp::session::Wants::Figures::all
-	                                                        : vp::session::Wants::Figures::for_picture;
+	next.wants.figures = vp::session::Wants::Figures::for_picture; // a cut measures the others when it is asked
 	return next;
 }
 
@@ -115,6 +139,8 @@ vp::Result<Cut> DatasetState::cut(std::stop_token stop)
 	if (!frame)
 		return frame.error();
 	vp::session::reportBoundarySheets(*session, (*frame)->sheets);
+	vp::session::reportOverlap(*session, (*frame)->slice, (*frame)->sheets);
+	vp::session::reportRowsAcross(*session);
 	++cuts;
 	auto state = std::make_shared<Cut::State>();
 	state->device = session->device();
@@ -122,9 +148,8 @@ vp::Result<Cut> DatasetState::cut(std::stop_token stop)
 	const vp::session::Frame& made = *state->frame;
 	state->blocks = made.slice.refined ? std::make_shared<CutBlocks>(made.slice.refined) : blocksOfCut();
 	state->figures.resize(made.sheets.size());
-	if (next.wants.figures == vp::session::Wants::Figures::all)
-		for (std::size_t s = 0; s < state->figures.size(); ++s)
-			state->figures[s] = made.sheets[s].measure;
+	for (const vp::cut::SheetCut& sheet : made.slice.sheets)
+		state->flux_arrays.push_back(vp::session::fluxArray(*session, sheet));
 	state->made_by = this;
 	state->linking = linking;
 	state->probe = session->spec().probe;
@@ -149,11 +174,13 @@ bool DatasetState::fits(const Cut& cut) const
 	       state.contour == session->spec().look.contour && state.color_by == session->spec().look.color_by;
 }
 
-vp::Result<Cut> DatasetState::readyToDraw(const Cut& cut, const std::stop_token& stop)
+vp::Status DatasetState::readyPainter()
 {
 	vp::Result<vp::view::ResolvedLook> look = vp::view::resolveLook(session->spec());
 	if (!look)
 		return look.error();
+	if (session->device() && session->device()->isInherited())
+		return vp::gpu::forkedError();
 	if (vp::Status opened = session->openDevice(); !opened)
 		return opened.error();
 	if (painter)
@@ -168,6 +195,13 @@ vp::Result<Cut> DatasetState::readyToDraw(const Cut& cut, const std::stop_token&
 			return made.error();
 		painter.emplace(std::move(*made));
 	}
+	return vp::Nothing{};
+}
+
+vp::Result<Cut> DatasetState::readyToDraw(const Cut& cut, const std::stop_token& stop)
+{
+	if (vp::Status ready = readyPainter(); !ready)
+		return ready.error();
 	return fits(cut) ? vp::Result<Cut>(cut) : this->cut(stop);
 }
 

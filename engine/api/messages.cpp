@@ -1,4 +1,5 @@
 #include "base/messages.h"
+#include "base/idle_threads.h"
 #include "base/progress.h"
 #include "version.h"
 
@@ -36,6 +37,11 @@ ProgressListener::~ProgressListener() = default;
 const char* version()
 {
 	return kVersion;
+}
+
+bool endIdleThreads()
+{
+	return vp::endIdleThreads();
 }
 
 } // namespace vprobe

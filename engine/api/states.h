@@ -5,6 +5,7 @@
 #include "picture/painter.h"
 #include "session/frame.h"
 #include "session/session.h"
+#include "vectors/flux.h"
 #include "write/slice_table.h"
 
 #include <vprobe/dataset.h>
@@ -48,6 +49,13 @@ struct CutBlocks
 	std::shared_ptr<const vp::grid::BlockSet> blocks;
 };
 
+// The figures of a sheet.
+struct SheetFigures
+{
+	vp::measure::SheetMeasure measure;
+	std::optional<vp::vectors::Flux> flux;
+};
+
 struct Cut::State
 {
 	std::shared_ptr<vp::gpu::Device> device; // polygons may lie in its memory
@@ -55,7 +63,10 @@ struct Cut::State
 	std::shared_ptr<const vp::session::Frame> frame;
 	// The figures of each sheet, measured when somebody asks for them.
 	mutable std::mutex measuring;
-	mutable std::vector<std::optional<vp::measure::SheetMeasure>> figures;
+	mutable std::vector<std::optional<SheetFigures>> figures;
+	std::vector<std::optional<vp::grid::FieldChoice>> flux_arrays; // per sheet, as the settings were
+	bool is_own = false; // the polygons and arrays are a caller's: the frame refers to blocks made of them
+	std::optional<vp::write::SliceTable> table; // what save() writes then
 	// By what it was made.
 	const DatasetState* made_by = nullptr;
 	std::uint64_t linking = 0;
@@ -86,12 +97,14 @@ struct DatasetState : std::enable_shared_from_this<DatasetState>
 	// Only for wrapped data sets: the numbers of points and cells of each block, as the caller's arrays count them.
 	// Cells without a volume count too.
 	std::vector<ArraySizes> array_sizes;
+	std::vector<std::vector<vp::grid::Field>> added; // arrays that the caller added, a field for each block
 	bool has_callers_device = false;
 	std::optional<vp::gpu::Image> target; // the last picture for an image of the caller's
 
 	static Result<std::shared_ptr<DatasetState>> of(vp::Result<std::unique_ptr<vp::session::Session>> opened);
 
 	// The mutex is held.
+	std::vector<ArraySizes> sizes() const; // for each block
 	// The view's settings for the blocks there are. for_sweep: frames of a sweep follow, which may go through the
 	// times.
 	vp::Status take(const View& view, bool for_sweep = false);
@@ -99,7 +112,10 @@ struct DatasetState : std::enable_shared_from_this<DatasetState>
 	vp::session::FrameRequest nextRequest() const;
 	vp::Result<Cut> cut(std::stop_token stop);                           // as the session has it
 	vp::Result<Image> draw(const Cut& cut, const std::stop_token& stop); // by the settings that were taken last
-	bool fits(const Cut& cut) const;                                     // it is what the settings would cut now
+	// Draws a caller's polygons with the caller's arrays, which take part in the settings for so long.
+	Result<Image> drawOwn(const Cut& cut, const View& view, const std::stop_token& stop);
+	bool fits(const Cut& cut) const; // it is what the settings would cut now
+	vp::Status readyPainter();       // for those settings
 	// Makes the painter ready for those settings. Returns the cut to draw, which is another one if this one does not
 	// fit.
 	vp::Result<Cut> readyToDraw(const Cut& cut, const std::stop_token& stop);
@@ -108,7 +124,7 @@ struct DatasetState : std::enable_shared_from_this<DatasetState>
 	vp::Status drawForCaller(const Cut& cut, VkExtent2D extent); // into `target`
 	vp::Error afterFailure(const vp::Error& error);              // called after drawing failed; closes a lost device
 	std::shared_ptr<CutBlocks> blocksOfCut();                    // returns the blocks for a new cut
-	void keepBlocksOfCuts(); // before arrays change: cuts keep the blocks as they are
+	void keepBlocksOfCuts(); // before arrays or their marks change: cuts keep the blocks as they are
 	vp::Status moveTo(const vp::read::TimeChoice& time);
 	vp::Status returnToItsTime(); // time at which the data set was opened
 };

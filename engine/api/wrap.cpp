@@ -320,8 +320,9 @@ HeldBlock heldBlock(const vp::grid::Block& block)
 {
 	HeldBlock held{block.name, {}, {}, {}};
 	std::visit(Holder{held}, block.grid);
-	for (const vp::grid::Field& field : block.fields)
+	for (const vp::grid::Field& given : block.fields)
 	{
+		const vp::grid::Field field = vp::grid::inMemory(given);
 		const ArrayInfo info = infoOf(field);
 		held.fields.push_back({info.name, info.association, info.components,
 		                       Numbers(field.bytes.data(), field.bytes.size() / vp::grid::byteSize(field.type),

@@ -11,7 +11,8 @@ namespace vp
 
 enum class Severity : std::uint8_t
 {
-	warning, // the call continues
+	note,    // tells how something was understood
+	warning, // the call continues, but the result may not be what was meant
 	error    // a message of Vulkan's validation, when debugging
 };
 
@@ -33,6 +34,12 @@ private:
 };
 
 void report(Severity severity, std::string_view line);
+
+template <class... Args>
+void note(fmt::format_string<Args...> format, Args&&... args)
+{
+	report(Severity::note, fmt::format(format, std::forward<Args>(args)...));
+}
 
 template <class... Args>
 void warn(fmt::format_string<Args...> format, Args&&... args)

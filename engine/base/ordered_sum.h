@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tbb/parallel_for.h>
+#include "base/parallel_for.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -16,14 +16,14 @@ Sums orderedSum(std::size_t count, const Add& add)
 {
 	constexpr std::size_t kPart = 4096;
 	std::vector<Sums> parts((count + kPart - 1) / kPart);
-	tbb::parallel_for(std::size_t(0), parts.size(),
-	                  [&](std::size_t part)
-	                  {
-		                  Sums sums;
-		                  for (std::size_t i = part * kPart; i < std::min((part + 1) * kPart, count); ++i)
-			                  add(sums, i);
-		                  parts[part] = sums;
-	                  });
+	tracedFor(std::size_t(0), parts.size(),
+	          [&](std::size_t part)
+	          {
+		          Sums sums;
+		          for (std::size_t i = part * kPart; i < std::min((part + 1) * kPart, count); ++i)
+			          add(sums, i);
+		          parts[part] = sums;
+	          });
 	Sums all;
 	for (const Sums& part : parts)
 		all.add(part);

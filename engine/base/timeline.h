@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <mutex>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,12 +19,15 @@ public:
 	enum class Track
 	{
 		cpu,
-		gpu
+		gpu,
+		worker, // a worker's part of a parallel loop (worker_piece.h); only in traces, never in sums
+		setup   // opening the device and making pipelines; only in traces, never in sums
 	};
 	enum class Keep
 	{
 		totals,
-		sections
+		sections,
+		trace // sections, and all else that a trace shows
 	};
 	struct Section
 	{
@@ -34,10 +38,33 @@ public:
 		std::uint32_t row = 0;   // who worked, see threadRow(); sections of one row are nested or separate
 		std::uint32_t depth = 0; // number of sections of the same row around it
 		std::uint64_t cells = 0; // number of cells, if known
+		int frame = kNoFrame;    // see FrameScope; only where no other section lies around it
+	};
+	static constexpr int kNoFrame = -1;
+	// A trace shows these besides sections. The values of a counter hold until the next one. The points of a flow have
+	// the number of their frame as value, and lie in the section that was open at that time.
+	struct Mark
+	{
+		enum class Kind
+		{
+			counter,
+			flow_begin,
+			flow_step,
+			flow_end
+		};
+		Kind kind;
+		const char* name;
+		double at_ms;
+		std::uint64_t value;
+		std::uint32_t row = 0; // where a point of a flow lies
 	};
 
 	explicit Timeline(Keep keep = Keep::totals) : keep_(keep) {}
 
+	// Returns the timeline of the innermost open section of this thread if it traces, otherwise null.
+	static Timeline* tracingHere();
+
+	bool traces() const { return keep_ == Keep::trace; }
 	double now() const;
 	void add(Section section);
 	void add(std::string_view name, Track track, double start_ms, double duration_ms);
@@ -46,6 +73,15 @@ public:
 	// Returns the sections that ended since the last call, in the order of their ends. Returns none if only totals are
 	// kept.
 	std::vector<Section> takeSections();
+
+	// These do nothing unless the timeline traces. name: a literal.
+	void count(const char* name, std::uint64_t value);
+	// Counts the memory in use and the bytes read, unless it has done so within the last millisecond.
+	void countResources();
+	void addFlowPoint(Mark::Kind kind, std::uint64_t frame);
+	// Adds a worker's part of a loop. It joins the part before if that has the same name and ended just now.
+	void addPiece(std::string_view name, std::uint32_t row, double start_ms, double end_ms);
+	std::vector<Mark> takeMarks(); // as takeSections()
 
 private:
 	struct Total
@@ -61,6 +97,10 @@ private:
 	mutable std::mutex mutex_;
 	std::vector<Total> totals_;
 	std::vector<Section> sections_;
+	std::vector<Section> pieces_; // the last one of each worker, which may grow
+	std::vector<Mark> marks_;
+	std::set<std::uint64_t> open_flows_;
+	double resources_at_ms_ = -1.0;
 };
 
 // The rows of sections: one for each thread that asks, and others for work elsewhere.
@@ -69,12 +109,22 @@ void nameThreadRow(std::string name); // names the calling thread's row
 std::uint32_t addRow(std::string name);
 std::string rowName(std::uint32_t row); // "thread 3" if it has no name
 
+// The innermost open section of a thread.
+struct OpenSection
+{
+	Timeline* timeline = nullptr;
+	std::string_view name{};
+	std::uint32_t depth = 0; // number of open sections, parts of loops included
+};
+OpenSection& openSection(); // that of this thread
+
 // Adds the time between its constructor and its destructor. A null timeline measures nothing.
 class TimedSection
 {
 public:
-	TimedSection(Timeline* timeline, std::string_view name, std::uint64_t cells = 0)
-	    : timeline_(timeline), name_(name), cells_(cells), start_(timeline ? begin() : 0.0)
+	TimedSection(Timeline* timeline, std::string_view name, std::uint64_t cells = 0,
+	             Timeline::Track track = Timeline::Track::cpu)
+	    : timeline_(timeline), name_(name), cells_(cells), track_(track), start_(timeline ? begin() : 0.0)
 	{
 	}
 	~TimedSection()
@@ -86,12 +136,14 @@ public:
 	TimedSection& operator=(const TimedSection&) = delete;
 
 private:
-	double begin() const;
+	double begin();
 	void end() const;
 
 	Timeline* timeline_;
-	std::string_view name_; // a literal
+	std::string_view name_; // a literal, or text that lives longer
 	std::uint64_t cells_;
+	Timeline::Track track_;
+	OpenSection outer_{}; // the open section of this thread before
 	double start_;
 };
 

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "base/parallel_for.h"
 #include "find/generations.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -47,8 +47,8 @@ private:
 					                 front.codes.subspan(begin, count));
 				}
 			};
-			tbb::parallel_for(tbb::blocked_range<std::size_t>(0, (front.cells.size() + kCells - 1) / kCells, kGrain),
-			                  classifyPart);
+			tracedFor(tbb::blocked_range<std::size_t>(0, (front.cells.size() + kCells - 1) / kCells, kGrain),
+			          classifyPart);
 		}
 		else
 			for (std::size_t i = 0; i < front.cells.size(); ++i)

@@ -151,21 +151,21 @@ bool mayOverlap(const grid::BlockSet& blocks)
 namespace
 {
 
-mesh::UvBounds uvBoundsOf(std::span<const shared::PolygonRecord> records)
+mesh::UvBounds uvBoundsOf(const shared::PolygonRecord& record)
 {
 	mesh::UvBounds bounds;
-	for (const shared::PolygonRecord& record : records)
-		for (std::uint32_t i = 0; i < (record.vertices & shared::kRecordVertices); ++i)
-			bounds = bounds.with(glm::dvec2(record.uv[2 * i], record.uv[2 * i + 1]));
+	for (std::uint32_t i = 0; i < (record.vertices & shared::kRecordVertices); ++i)
+		bounds = bounds.with(glm::dvec2(record.uv[2 * i], record.uv[2 * i + 1]));
 	return bounds;
 }
 
 template <class Records>
 Result<std::shared_ptr<SheetRecords>> sheetOf(std::shared_ptr<RecordPool> pool, const Records& records,
-                                              const mesh::UvBounds& bounds)
+                                              const mesh::UvBounds& bounds, double longest)
 {
 	auto sheet = std::make_shared<SheetRecords>(std::move(pool));
 	sheet->bounds = bounds;
+	sheet->longest = longest;
 	if (Status added = sheet->appendHostRecords(records); !added)
 		return added.error();
 	return sheet;
@@ -176,14 +176,22 @@ Result<std::shared_ptr<SheetRecords>> sheetOf(std::shared_ptr<RecordPool> pool, 
 Result<std::shared_ptr<SheetRecords>> recordsFromHost(std::shared_ptr<RecordPool> pool,
                                                       std::span<const shared::PolygonRecord> records)
 {
-	return sheetOf(std::move(pool), records, uvBoundsOf(records));
+	mesh::UvBounds bounds;
+	double longest = 0.0;
+	for (const shared::PolygonRecord& record : records)
+	{
+		const mesh::UvBounds of_record = uvBoundsOf(record);
+		bounds = bounds.with(of_record);
+		longest = std::max(longest, glm::distance(of_record.lo, of_record.hi));
+	}
+	return sheetOf(std::move(pool), records, bounds, longest);
 }
 
 Result<std::shared_ptr<SheetRecords>> recordsFromMesh(std::shared_ptr<RecordPool> pool,
                                                       const mesh::MeshRecords& records)
 {
 	constexpr std::size_t kMaxParts = 256; // each is drawn for itself
-	auto sheet = sheetOf(std::move(pool), records, records.bounds());
+	auto sheet = sheetOf(std::move(pool), records, records.bounds(), records.longest());
 	if (!sheet)
 		return sheet;
 	(*sheet)->overlapping = records.parts().size() > kMaxParts;

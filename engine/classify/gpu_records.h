@@ -87,6 +87,7 @@ struct SheetRecords
 	std::vector<Page> pages;
 	std::vector<Run> runs;
 	std::optional<mesh::UvBounds> bounds; // bounds of all polygons, if they are known
+	std::optional<double> longest;        // greatest diagonal of a polygon's bounds, if it is known
 	// Polygons may cover each other, and the last one counts; or polygons of different parts may, and that of the later
 	// part counts. parts: numbers of the records, over all pages, with which each part after the first begins.
 	bool overlapping = false;

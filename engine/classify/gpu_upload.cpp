@@ -1,5 +1,6 @@
 #include "classify/gpu_upload.h"
 
+#include "base/parallel_for.h"
 #include "cases/case_table.h"
 #include "classify/gpu_points.h"
 #include "gpu/upload.h"
@@ -10,7 +11,6 @@
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
@@ -48,12 +48,12 @@ Result<gpu::ShaderArray> makeArray(gpu::Device& device, std::size_t count, VkFor
 	const auto fill = [&](std::byte* destination, std::size_t first, std::size_t run)
 	{
 		auto* elements = reinterpret_cast<Element*>(destination);
-		tbb::parallel_for(tbb::blocked_range<std::size_t>(0, run, kGrain),
-		                  [&](const tbb::blocked_range<std::size_t>& range)
-		                  {
-			                  for (std::size_t i = range.begin(); i < range.end(); ++i)
-				                  write(first + i, elements[i]);
-		                  });
+		tracedFor(tbb::blocked_range<std::size_t>(0, run, kGrain),
+		          [&](const tbb::blocked_range<std::size_t>& range)
+		          {
+			          for (std::size_t i = range.begin(); i < range.end(); ++i)
+				          write(first + i, elements[i]);
+		          });
 	};
 	if (Status filled = gpu::fillBuffer(array->buffer(), count, sizeof(Element), fill); !filled)
 		return filled.error();

@@ -1,10 +1,9 @@
 #include "find/cells.h"
 
+#include "base/parallel_for.h"
 #include "base/raw_vector.h"
 #include "find/flood_sharing.h"
 #include "find/record_signs.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <bit>
@@ -197,12 +196,12 @@ CellCut inOrder(const Found& found, CellMarks& marks)
 {
 	const auto forFound = [&](auto&& visit)
 	{
-		tbb::parallel_for(std::size_t(0), found.size(),
-		                  [&](std::size_t part)
-		                  {
-			                  for (const CodedCell& known : found[part])
-				                  visit(known);
-		                  });
+		tracedFor(std::size_t(0), found.size(),
+		          [&](std::size_t part)
+		          {
+			          for (const CodedCell& known : found[part])
+				          visit(known);
+		          });
 	};
 	forFound([&](const CodedCell& known) { marks.settle(known.cell); });
 	CellCut cut;

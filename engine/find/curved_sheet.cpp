@@ -31,8 +31,8 @@ std::shared_ptr<const surface::LeafValues> ValueRanges::of(std::size_t number, c
 {
 	const std::lock_guard lock(mutex_);
 	Kept& kept = kept_[number];
-	if (!kept.ranges || kept.values != field.bytes.data() || kept.component != component)
-		kept = {field.bytes.data(), component, std::make_shared<surface::LeafValues>(block, field, component)};
+	if (!kept.ranges || kept.values != field.identity() || kept.component != component)
+		kept = {field.identity(), component, std::make_shared<surface::LeafValues>(block, field, component)};
 	return kept.ranges;
 }
 

@@ -31,7 +31,7 @@ public:
 private:
 	struct Kept
 	{
-		const std::byte* values = nullptr;
+		const void* values = nullptr;
 		int component = 0;
 		std::shared_ptr<const surface::LeafValues> ranges;
 	};

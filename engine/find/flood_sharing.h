@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/worker_piece.h"
+
 #include <tbb/parallel_for_each.h>
 #include <tbb/task_arena.h>
 
@@ -65,9 +67,11 @@ void shareFlood(std::span<const Entry> seeds, Work&& work)
 		batches.emplace_back(batch.begin(), batch.end());
 	}
 	std::atomic<int> waiting{static_cast<int>(batches.size())};
+	const TracedLoop loop;
 	tbb::parallel_for_each(batches.begin(), batches.end(),
 	                       [&](Batch& batch, tbb::feeder<Batch>& feeder)
 	                       {
+		                       const WorkerPiece piece(loop);
 		                       --waiting;
 		                       FloodQueue<Entry> queue(std::move(batch), waiting,
 		                                               [&](Batch given)

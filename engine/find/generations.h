@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/ids.h"
+#include "base/parallel_for.h"
 #include "base/result.h"
 #include "base/timeline.h"
 #include "find/cell_signs.h"
@@ -10,8 +11,6 @@
 #include "grid/cell_filter.h"
 #include "seed/sheet_window.h"
 #include "shared/slice_types.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <bit>
@@ -223,7 +222,7 @@ void expandSheets(std::span<const SheetInBlock<Surface, Window>> sheets, std::sp
 	}
 	const auto expand = [&](std::size_t s) { expandSheet<Surface, Window>(sheets, groups[s], cuts); };
 	if (groups.size() > 1 && front_cells >= kWorthSharing)
-		tbb::parallel_for(std::size_t(0), groups.size(), expand);
+		tracedFor(std::size_t(0), groups.size(), expand);
 	else
 		for (std::size_t s = 0; s < groups.size(); ++s)
 			expand(s);
@@ -232,7 +231,7 @@ void expandSheets(std::span<const SheetInBlock<Surface, Window>> sheets, std::sp
 /// The paper's breadth-first traversal, by generations: G(k+1) are the cells first met across the cut faces of G(k).
 /// Returns one CellCut for each sheet in a block, or the classifier's error. A stop request ends the traversal between
 /// generations; what was found until then is returned. timeline: gets the sections "classify" (with the front's width)
-/// and "expand" of each generation; may be null.
+/// and "expand" of each generation, and the counter "front"; may be null.
 template <class Surface, class Window = seed::SheetWindow, Classifier C>
 Result<std::vector<CellCut>> breadthFirst(std::type_identity_t<std::span<SheetInBlock<Surface, Window>>> sheets,
                                           C& classifier, std::stop_token stop = {}, Timeline* timeline = nullptr)
@@ -247,7 +246,8 @@ Result<std::vector<CellCut>> breadthFirst(std::type_identity_t<std::span<SheetIn
 	}
 
 	std::vector<Front> fronts;
-	for (std::size_t step = 1; !stop.stop_requested(); ++step)
+	std::size_t step = 1;
+	for (; !stop.stop_requested(); ++step)
 	{
 		fronts.clear();
 		std::size_t front_cells = 0;
@@ -268,6 +268,8 @@ Result<std::vector<CellCut>> breadthFirst(std::type_identity_t<std::span<SheetIn
 		if (fronts.empty())
 			break;
 		{
+			if (timeline)
+				timeline->count("front", front_cells);
 			const TimedSection section(timeline, "classify", front_cells);
 			if (Status classified = classifier.classify(fronts); !classified)
 				return classified.error();
@@ -275,6 +277,8 @@ Result<std::vector<CellCut>> breadthFirst(std::type_identity_t<std::span<SheetIn
 		const TimedSection section(timeline, "expand");
 		expandSheets<Surface, Window>(sheets, fronts, front_cells, cuts);
 	}
+	if (timeline && step > 1)
+		timeline->count("front", 0);
 	// A stop leaves a generation queued that nothing is known about.
 	for (CellCut& cut : cuts)
 		cut.cells.resize(cut.codes.size());

@@ -1,11 +1,11 @@
 #include "find/rows.h"
 
+#include "base/parallel_for.h"
 #include "base/raw_vector.h"
 #include "find/column_word.h"
 #include "find/straight_window.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -48,13 +48,13 @@ public:
 		const std::size_t layers = range_[2].end + 1 - first;
 		constexpr std::size_t kLayersInPart = 12;
 		std::vector<SpanCut> parts((layers + kLayersInPart - 1) / kLayersInPart);
-		tbb::parallel_for(std::size_t(0), parts.size(),
-		                  [&](std::size_t p)
-		                  {
-			                  const auto layerOf = [&](std::size_t part)
-			                  { return static_cast<std::uint32_t>(first + layers * part / parts.size()); };
-			                  parts[p] = findPart(layerOf(p), layerOf(p + 1));
-		                  });
+		tracedFor(std::size_t(0), parts.size(),
+		          [&](std::size_t p)
+		          {
+			          const auto layerOf = [&](std::size_t part)
+			          { return static_cast<std::uint32_t>(first + layers * part / parts.size()); };
+			          parts[p] = findPart(layerOf(p), layerOf(p + 1));
+		          });
 		return join(parts);
 	}
 
@@ -207,18 +207,18 @@ private:
 		}
 		cut.spans.resize(span);
 		cut.columns.resize(column);
-		tbb::parallel_for(std::size_t(0), parts.size(),
-		                  [&](std::size_t p)
-		                  {
-			                  std::ranges::copy(parts[p].columns, cut.columns.begin() + columns[p]);
-			                  auto to = cut.spans.begin() + spans[p];
-			                  for (Span moved : parts[p].spans)
-			                  {
-				                  moved.columns += columns[p];
-				                  moved.counts += counts[p];
-				                  *to++ = moved;
-			                  }
-		                  });
+		tracedFor(std::size_t(0), parts.size(),
+		          [&](std::size_t p)
+		          {
+			          std::ranges::copy(parts[p].columns, cut.columns.begin() + columns[p]);
+			          auto to = cut.spans.begin() + spans[p];
+			          for (Span moved : parts[p].spans)
+			          {
+				          moved.columns += columns[p];
+				          moved.counts += counts[p];
+				          *to++ = moved;
+			          }
+		          });
 		return cut;
 	}
 

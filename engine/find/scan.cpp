@@ -1,6 +1,7 @@
 #include "find/scan.h"
 
 #include "base/huge_vector.h"
+#include "base/parallel_for.h"
 #include "base/raw_vector.h"
 #include "find/cell_signs.h"
 #include "grid/lone_faces.h"
@@ -8,7 +9,6 @@
 #include "surface/sign_filter.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -157,8 +157,8 @@ private:
 	template <class Act>
 	static void forParts(std::size_t count, std::size_t grain, Act&& act)
 	{
-		tbb::parallel_for(std::size_t(0), (count + grain - 1) / grain,
-		                  [&](std::size_t part) { act(part * grain, std::min((part + 1) * grain, count), part); });
+		tracedFor(std::size_t(0), (count + grain - 1) / grain,
+		          [&](std::size_t part) { act(part * grain, std::min((part + 1) * grain, count), part); });
 	}
 
 	/// Cells of one shape, whose ids follow each other.

@@ -1,6 +1,6 @@
 #include "find/span_store.h"
 
-#include <tbb/parallel_for.h>
+#include "base/parallel_for.h"
 
 #include <algorithm>
 #include <bit>
@@ -117,7 +117,7 @@ SpanCut SpanStore::collect()
 	constexpr std::size_t kSpansInPart = 2048;
 	const std::size_t words = (rows_ + 63) / 64;
 	std::vector<SpanCut> parts(std::clamp<std::size_t>(spans / kSpansInPart, 1, 64));
-	const auto forParts = [&](auto&& act) { tbb::parallel_for(std::size_t(0), parts.size(), act); };
+	const auto forParts = [&](auto&& act) { tracedFor(std::size_t(0), parts.size(), act); };
 	forParts([&](std::size_t p)
 	         { parts[p] = takeRows(words * p / parts.size(), words * (p + 1) / parts.size(), finders); });
 	SpanCut cut = parts.size() == 1 ? std::move(parts[0]) : join(parts);
@@ -148,16 +148,16 @@ SpanCut SpanStore::join(std::span<const SpanCut> parts)
 		cut.counts += part.counts;
 	}
 	cut.spans.resize(spans);
-	tbb::parallel_for(std::size_t(0), parts.size(),
-	                  [&](std::size_t p)
-	                  {
-		                  Span* to = cut.spans.data() + places[p].span;
-		                  for (Span span : parts[p].spans)
-		                  {
-			                  span.counts += places[p].counts;
-			                  *to++ = span;
-		                  }
-	                  });
+	tracedFor(std::size_t(0), parts.size(),
+	          [&](std::size_t p)
+	          {
+		          Span* to = cut.spans.data() + places[p].span;
+		          for (Span span : parts[p].spans)
+		          {
+			          span.counts += places[p].counts;
+			          *to++ = span;
+		          }
+	          });
 	return cut;
 }
 

@@ -1,7 +1,9 @@
 #include "gpu/device.h"
 
+#include "base/timeline.h"
 #include "gpu/device_choice.h"
 #include "gpu/device_private.h"
+#include "gpu/pipeline_figures.h"
 #include "gpu/vk_check.h"
 
 #include <fmt/format.h>
@@ -38,6 +40,27 @@ bool calibratesToSteadyClock(VkInstance instance, VkPhysicalDevice device)
 	return has(VK_TIME_DOMAIN_DEVICE_EXT) && has(VK_TIME_DOMAIN_CLOCK_MONOTONIC_EXT);
 }
 
+// Only a profile counts, so a device of the caller need not have the feature.
+VkBool32 canCountInvocations(VkPhysicalDevice device)
+{
+	VkPhysicalDeviceFeatures present;
+	vkGetPhysicalDeviceFeatures(device, &present);
+	return present.pipelineStatisticsQuery;
+}
+
+// Returns the feature as it is to be enabled.
+VkPhysicalDevicePipelineExecutablePropertiesFeaturesKHR figuresOfPipelines(const Candidate& device)
+{
+	VkPhysicalDevicePipelineExecutablePropertiesFeaturesKHR told{
+	    VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PIPELINE_EXECUTABLE_PROPERTIES_FEATURES_KHR};
+	if (!keepsPipelineFigures() || !device.has(VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME))
+		return told;
+	VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &told};
+	vkGetPhysicalDeviceFeatures2(device.handle, &features);
+	told.pNext = nullptr;
+	return told;
+}
+
 template <class Function>
 void load(Function& function, VkDevice device, const char* name)
 {
@@ -63,7 +86,12 @@ bool mayHaveHardware()
 
 } // namespace
 
-Device::Device() : private_(std::make_unique<Private>()) {}
+Device::Device() : private_(std::make_unique<Private>()), process_(getpid()) {}
+
+bool Device::isInherited() const
+{
+	return process_ != getpid();
+}
 
 Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options)
 {
@@ -96,18 +124,31 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options)
 		extensions.push_back(VK_EXT_CALIBRATED_TIMESTAMPS_EXTENSION_NAME);
 
 	const WantedFeatures features(device->physical_);
-	device->features_ = features.all().features;
+	VkPhysicalDeviceFeatures2 enabled = features.all();
+	enabled.features.pipelineStatisticsQuery = canCountInvocations(device->physical_);
+	device->features_ = enabled.features;
+	VkPhysicalDevicePipelineExecutablePropertiesFeaturesKHR figures = figuresOfPipelines(*choice);
+	figures.pNext = &enabled;
+	if (figures.pipelineExecutableInfo)
+		extensions.push_back(VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME);
 	const float priority = 1.0f;
 	VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
 	queue.queueFamilyIndex = device->queue_family_;
 	queue.queueCount = 1;
 	queue.pQueuePriorities = &priority;
-	VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &features.all()};
+	VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, figures.pNext};
+	if (figures.pipelineExecutableInfo)
+		info.pNext = &figures;
 	info.queueCreateInfoCount = 1;
 	info.pQueueCreateInfos = &queue;
 	info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
 	info.ppEnabledExtensionNames = extensions.data();
-	if (const VkResult made = vkCreateDevice(device->physical_, &info, nullptr, &device->device_); made != VK_SUCCESS)
+	const VkResult made = [&]
+	{
+		const TimedSection section(Timeline::tracingHere(), "Vulkan device", 0, Timeline::Track::setup);
+		return vkCreateDevice(device->physical_, &info, nullptr, &device->device_);
+	}();
+	if (made != VK_SUCCESS)
 		return Error{ErrorKind::device, fmt::format("device {} cannot be used ({}); another one may do: `device`",
 		                                            device->name_, resultName(made))};
 	vkGetDeviceQueue(device->device_, device->queue_family_, 0, &device->queue_);
@@ -200,6 +241,11 @@ Device::~Device()
 {
 	if (!device_)
 		return;
+	if (isInherited())
+	{
+		static_cast<void>(private_.release()); // all of it is the parent's
+		return;
+	}
 	// A lost device is idle too. The caller may submit to a device that is not ours.
 	if (owned_)
 		patiently([this] { return vkDeviceWaitIdle(device_); });

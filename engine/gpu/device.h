@@ -68,6 +68,9 @@ public:
 	Device(const Device&) = delete;
 	Device& operator=(const Device&) = delete;
 
+	// Returns true in a process that was forked from the one that opened the device. There is nothing to draw with.
+	bool isInherited() const;
+
 	const std::string& name() const { return name_; }
 	bool isSoftware() const { return type_ == VK_PHYSICAL_DEVICE_TYPE_CPU; }
 	const VkPhysicalDeviceLimits& limits() const { return limits_; }
@@ -133,6 +136,7 @@ private:
 	VkResult counted(std::uint64_t& number) const;
 
 	std::unique_ptr<Private> private_;
+	int process_; // that opened the device
 	std::string name_;
 	VkPhysicalDeviceType type_ = VK_PHYSICAL_DEVICE_TYPE_OTHER;
 	VkPhysicalDeviceLimits limits_{};

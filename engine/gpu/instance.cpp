@@ -1,11 +1,15 @@
 #include "gpu/instance.h"
 
 #include "base/messages.h"
+#include "base/timeline.h"
 #include "gpu/vk_check.h"
 
 #include <algorithm>
 #include <array>
+#include <mutex>
 #include <string_view>
+
+#include <unistd.h>
 
 namespace vp::gpu
 {
@@ -40,10 +44,39 @@ bool hasExtension(std::string_view name)
 	return std::any_of(extensions.begin(), extensions.end(),
 	                   [&](const auto& extension) { return name == extension.extensionName; });
 }
+
+// The instances that live, and the process that made them.
+struct LiveInstances
+{
+	std::mutex mutex;
+	pid_t process = 0;
+	std::size_t count = 0;
+};
+
+LiveInstances& liveInstances()
+{
+	static LiveInstances one;
+	return one;
+}
+
 } // namespace
+
+Error forkedError()
+{
+	return {ErrorKind::device, "a forked process cannot use the Vulkan device that its parent opened; start it with "
+	                           "multiprocessing.get_context(\"spawn\"), or draw in the parent"};
+}
 
 Instance::~Instance()
 {
+	{
+		LiveInstances& live = liveInstances();
+		const std::lock_guard lock(live.mutex);
+		if (live.process != getpid())
+			return; // it belongs to the process that forked this one, whose threads are not here
+		if (handle)
+			--live.count;
+	}
 	if (messenger)
 		if (const auto destroy = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
 		        vkGetInstanceProcAddr(handle, "vkDestroyDebugUtilsMessengerEXT")))
@@ -53,6 +86,14 @@ Instance::~Instance()
 
 Result<std::unique_ptr<Instance>> createInstance(bool validation, const std::vector<const char*>& extensions)
 {
+	const TimedSection section(Timeline::tracingHere(), "Vulkan instance", 0, Timeline::Track::setup);
+	{
+		LiveInstances& live = liveInstances();
+		const std::lock_guard lock(live.mutex);
+		if (live.process != getpid() && live.count > 0)
+			return forkedError();
+		live.process = getpid();
+	}
 	auto instance = std::make_unique<Instance>();
 	if (validation && !hasLayer(kValidationLayer))
 		warn("no Vulkan validation: install vulkan-validationlayers");
@@ -95,6 +136,11 @@ Result<std::unique_ptr<Instance>> createInstance(bool validation, const std::vec
 		return Error{ErrorKind::device, fmt::format("Vulkan cannot be used ({}); install mesa-vulkan-drivers, or the "
 		                                            "driver of your graphics card",
 		                                            resultName(made))};
+	{
+		LiveInstances& live = liveInstances();
+		const std::lock_guard lock(live.mutex);
+		++live.count;
+	}
 	if (instance->validates)
 		if (const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
 		        vkGetInstanceProcAddr(instance->handle, "vkCreateDebugUtilsMessengerEXT")))

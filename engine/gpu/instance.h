@@ -25,6 +25,10 @@ struct Instance
 	Instance& operator=(const Instance&) = delete;
 };
 
+// Fails in a forked process if an instance of its parent lives: drivers have threads, which are not there.
 Result<std::unique_ptr<Instance>> createInstance(bool validation, const std::vector<const char*>& extensions);
+
+// The error in a forked process that would use a device of its parent.
+Error forkedError();
 
 } // namespace vp::gpu

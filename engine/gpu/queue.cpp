@@ -12,6 +12,8 @@ constexpr auto kSpin = std::chrono::microseconds(100);
 
 Result<std::uint64_t> Device::submit(const Submission& submission)
 {
+	if (isInherited())
+		return forkedError();
 	if (private_->hasRetired())
 		destroyRetired();
 	std::vector<VkCommandBufferSubmitInfo> commands;
@@ -58,6 +60,8 @@ bool Device::isDone(std::uint64_t number) const
 
 Status Device::wait(std::uint64_t number)
 {
+	if (isInherited())
+		return forkedError();
 	const auto begin = std::chrono::steady_clock::now();
 	do
 	{
@@ -84,6 +88,8 @@ std::uint64_t Device::lastSubmission() const
 
 Status Device::waitIdle()
 {
+	if (isInherited())
+		return forkedError();
 	// Not only submissions: a presentation still waits for its semaphore.
 	const std::lock_guard lock(private_->queue_mutex);
 	const QueueTurn turn(private_->lock_queue, private_->unlock_queue);

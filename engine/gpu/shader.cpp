@@ -1,6 +1,8 @@
 #include "gpu/shader.h"
 
+#include "base/timeline.h"
 #include "embedded_shaders.h"
+#include "gpu/pipeline_figures.h"
 #include "gpu/vk_check.h"
 
 #include <fmt/format.h>
@@ -65,6 +67,16 @@ struct Specialisation
 	std::vector<std::uint32_t> values;
 	VkSpecializationInfo info{};
 };
+
+VkPipelineCreateFlags flagsOf(const Device& device)
+{
+	return tellsPipelineFigures(device) ? VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR : 0;
+}
+
+std::string sectionName(std::string_view pipeline)
+{
+	return fmt::format("pipeline {}", pipeline);
+}
 
 VkPipelineShaderStageCreateInfo stageInfo(VkShaderStageFlagBits stage, const Module& module,
                                           const Specialisation& constants)
@@ -133,6 +145,8 @@ Result<Pipeline> Pipeline::withLayout(Device& device, std::span<const Binding> b
 
 Result<Pipeline> Pipeline::create(Device& device, const ComputePipelineInfo& info, std::string_view name)
 {
+	const std::string section_name = sectionName(name);
+	const TimedSection section(Timeline::tracingHere(), section_name, 0, Timeline::Track::setup);
 	Result<Pipeline> pipeline = withLayout(device, info.bindings, info.push_bytes, VK_SHADER_STAGE_COMPUTE_BIT,
 	                                       VK_PIPELINE_BIND_POINT_COMPUTE, name);
 	if (!pipeline)
@@ -142,6 +156,7 @@ Result<Pipeline> Pipeline::create(Device& device, const ComputePipelineInfo& inf
 		return made.error();
 	const Specialisation constants(info.constants);
 	VkComputePipelineCreateInfo create{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
+	create.flags = flagsOf(device);
 	create.stage = stageInfo(VK_SHADER_STAGE_COMPUTE_BIT, module, constants);
 	create.layout = pipeline->layout_;
 	if (Status made = check(
@@ -150,11 +165,15 @@ Result<Pipeline> Pipeline::create(Device& device, const ComputePipelineInfo& inf
 	    !made)
 		return made.error();
 	device.setName(VK_OBJECT_TYPE_PIPELINE, pipeline->handle_, name);
+	if (create.flags)
+		addPipelineFigures(device, pipeline->handle_, name);
 	return pipeline;
 }
 
 Result<Pipeline> Pipeline::create(Device& device, const GraphicsPipelineInfo& info, std::string_view name)
 {
+	const std::string section_name = sectionName(name);
+	const TimedSection section(Timeline::tracingHere(), section_name, 0, Timeline::Track::setup);
 	assert(info.blends.empty() || info.blends.size() == info.color_formats.size());
 	Result<Pipeline> pipeline =
 	    withLayout(device, info.bindings, info.push_bytes, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT,
@@ -206,6 +225,7 @@ Result<Pipeline> Pipeline::create(Device& device, const GraphicsPipelineInfo& in
 
 	VkGraphicsPipelineCreateInfo create{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO};
 	create.pNext = &rendering;
+	create.flags = flagsOf(device);
 	create.stageCount = static_cast<std::uint32_t>(stages.size());
 	create.pStages = stages.data();
 	create.pVertexInputState = &vertex_input;
@@ -223,6 +243,8 @@ Result<Pipeline> Pipeline::create(Device& device, const GraphicsPipelineInfo& in
 	    !made)
 		return made.error();
 	device.setName(VK_OBJECT_TYPE_PIPELINE, pipeline->handle_, name);
+	if (create.flags)
+		addPipelineFigures(device, pipeline->handle_, name);
 	return pipeline;
 }
 

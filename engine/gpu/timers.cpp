@@ -1,6 +1,8 @@
 #include "gpu/timers.h"
 
+#include "base/frame_scope.h"
 #include "base/timeline.h"
+#include "gpu/invocations.h"
 #include "gpu/vk_check.h"
 
 #include <algorithm>
@@ -13,6 +15,11 @@ namespace vp::gpu
 
 namespace
 {
+// The parts of Invocations, in the order of the bits.
+constexpr VkQueryPipelineStatisticFlags kCounted = VK_QUERY_PIPELINE_STATISTIC_INPUT_ASSEMBLY_VERTICES_BIT |
+                                                   VK_QUERY_PIPELINE_STATISTIC_FRAGMENT_SHADER_INVOCATIONS_BIT |
+                                                   VK_QUERY_PIPELINE_STATISTIC_COMPUTE_SHADER_INVOCATIONS_BIT;
+
 std::uint64_t steadyNow()
 {
 	return static_cast<std::uint64_t>(
@@ -25,14 +32,30 @@ Timers::Timers(Device& device, const char* row) : device_(&device), row_(addRow(
 
 Timers::Timers(Timers&& other) noexcept
     : device_(other.device_), row_(other.row_), pools_(std::exchange(other.pools_, {})),
-      sections_(std::exchange(other.sections_, {}))
+      statistics_(std::exchange(other.statistics_, {})), sections_(std::exchange(other.sections_, {}))
 {
 }
 
 Timers::~Timers()
 {
-	for (const VkQueryPool pool : pools_)
-		device_->retire([pool](VkDevice device) { vkDestroyQueryPool(device, pool, nullptr); });
+	for (const auto* pools : {&pools_, &statistics_})
+		for (const VkQueryPool pool : *pools)
+			device_->retire([pool](VkDevice device) { vkDestroyQueryPool(device, pool, nullptr); });
+}
+
+void Timers::makePool(std::vector<VkQueryPool>& pools, std::size_t section, const VkQueryPoolCreateInfo& info)
+{
+	while (pools.size() <= section / kPoolSections)
+	{
+		VkQueryPool pool = VK_NULL_HANDLE;
+		// A timer is not worth a failed slice: without memory for it nothing is measured.
+		if (vkCreateQueryPool(device_->handle(), &info, nullptr, &pool) == VK_SUCCESS)
+		{
+			vkResetQueryPool(device_->handle(), pool, 0, info.queryCount);
+			device_->setName(VK_OBJECT_TYPE_QUERY_POOL, pool, "timers");
+		}
+		pools.push_back(pool);
+	}
 }
 
 std::size_t Timers::begin(VkCommandBuffer commands, const char* name)
@@ -40,29 +63,34 @@ std::size_t Timers::begin(VkCommandBuffer commands, const char* name)
 	device_->beginLabel(commands, name);
 	const std::size_t section = sections_.size();
 	sections_.push_back({name, steadyNow()});
-	if (!device_->timestampBits())
-		return section;
-	if (section == pools_.size() * kPoolSections)
+	VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
+	if (device_->timestampBits())
 	{
-		VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
 		info.queryType = VK_QUERY_TYPE_TIMESTAMP;
 		info.queryCount = 2 * kPoolSections;
-		VkQueryPool pool = VK_NULL_HANDLE;
-		// A timer is not worth a failed slice: without memory for it nothing is measured.
-		if (vkCreateQueryPool(device_->handle(), &info, nullptr, &pool) == VK_SUCCESS)
-		{
-			vkResetQueryPool(device_->handle(), pool, 0, 2 * kPoolSections);
-			device_->setName(VK_OBJECT_TYPE_QUERY_POOL, pool, "timers");
-		}
-		pools_.push_back(pool);
+		makePool(pools_, section, info);
+		if (const VkQueryPool pool = pools_[section / kPoolSections])
+			vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, pool, 2 * (section % kPoolSections));
 	}
-	if (const VkQueryPool pool = pools_[section / kPoolSections])
-		vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, pool, 2 * (section % kPoolSections));
+	if (countsInvocations() && device_->features().pipelineStatisticsQuery)
+	{
+		info.queryType = VK_QUERY_TYPE_PIPELINE_STATISTICS;
+		info.queryCount = kPoolSections;
+		info.pipelineStatistics = kCounted;
+		makePool(statistics_, section, info);
+		if (const VkQueryPool pool = statistics_[section / kPoolSections])
+		{
+			vkCmdBeginQuery(commands, pool, section % kPoolSections, 0);
+			sections_.back().is_counted = true;
+		}
+	}
 	return section;
 }
 
 void Timers::end(VkCommandBuffer commands, std::size_t section)
 {
+	if (sections_[section].is_counted)
+		vkCmdEndQuery(commands, statistics_[section / kPoolSections], section % kPoolSections);
 	if (device_->timestampBits())
 		if (const VkQueryPool pool = pools_[section / kPoolSections])
 			vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, pool,
@@ -71,6 +99,13 @@ void Timers::end(VkCommandBuffer commands, std::size_t section)
 }
 
 void Timers::collect(Timeline& timeline)
+{
+	collectTimes(timeline);
+	collectInvocations();
+	forget();
+}
+
+void Timers::collectTimes(Timeline& timeline)
 {
 	const std::uint32_t bits = device_->timestampBits();
 	const std::uint64_t mask = bits >= 64 ? ~std::uint64_t(0) : (std::uint64_t(1) << bits) - 1;
@@ -115,17 +150,42 @@ void Timers::collect(Timeline& timeline)
 			              .track = Timeline::Track::gpu,
 			              .start_ms = toTimeline(static_cast<double>(anchor_ns) + ticks * tick_ns),
 			              .duration_ms = static_cast<double>((end - begin) & mask) * tick_ns * 1e-6,
-			              .row = row_});
+			              .row = row_,
+			              .frame = FrameScope::frame()});
 		}
 	}
-	forget();
+}
+
+void Timers::collectInvocations()
+{
+	struct Counted
+	{
+		Invocations invocations; // in the order of the bits of kCounted
+		std::uint64_t is_available;
+	};
+	static_assert(sizeof(Counted) == 4 * sizeof(std::uint64_t));
+	for (std::size_t s = 0; s < sections_.size(); ++s)
+	{
+		Counted counted{};
+		if (sections_[s].is_counted &&
+		    vkGetQueryPoolResults(device_->handle(), statistics_[s / kPoolSections], s % kPoolSections, 1,
+		                          sizeof(counted), &counted, sizeof(counted),
+		                          VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WITH_AVAILABILITY_BIT) >= 0 &&
+		    counted.is_available)
+			addInvocations(sections_[s].name, counted.invocations);
+	}
 }
 
 void Timers::forget()
 {
-	for (const VkQueryPool pool : pools_)
-		if (pool)
-			vkResetQueryPool(device_->handle(), pool, 0, 2 * kPoolSections);
+	const auto reset = [&](const std::vector<VkQueryPool>& pools, std::uint32_t queries)
+	{
+		for (const VkQueryPool pool : pools)
+			if (pool)
+				vkResetQueryPool(device_->handle(), pool, 0, queries);
+	};
+	reset(pools_, 2 * kPoolSections);
+	reset(statistics_, kPoolSections);
 	sections_.clear();
 }
 

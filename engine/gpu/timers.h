@@ -13,7 +13,8 @@ class Timeline;
 namespace vp::gpu
 {
 
-// Timestamps around passes, read back later in one go as GPU sections of a timeline. Not thread safe: one per recording
+// Timestamps around passes, read back later in one go as GPU sections of a timeline. Where somebody counts invocations
+// (invocations.h), passes count theirs, too: they must not lie in each other. Not thread safe: one per recording
 // thread.
 class Timers
 {
@@ -41,11 +42,17 @@ private:
 	{
 		const char* name;
 		std::uint64_t recorded_ns; // steady clock: the anchor where the clocks cannot be calibrated
+		bool is_counted = false;   // by a query of statistics
 	};
+	// Makes and resets the pool for a section, unless it is there. Its entry is null if there is no memory.
+	void makePool(std::vector<VkQueryPool>& pools, std::size_t section, const VkQueryPoolCreateInfo& info);
+	void collectTimes(Timeline& timeline);
+	void collectInvocations();
 
 	Device* device_;
 	std::uint32_t row_;
-	std::vector<VkQueryPool> pools_;
+	std::vector<VkQueryPool> pools_;      // for timestamps, two for each section
+	std::vector<VkQueryPool> statistics_; // one query for each section
 	std::vector<Section> sections_;
 };
 

@@ -38,6 +38,45 @@ bool hasNeighbors(const BlockSet& blocks)
 	return std::ranges::all_of(blocks.blocks, [](const Block& block) { return hasNeighbors(block); });
 }
 
+namespace
+{
+
+template <class Visit>
+void forEachStored(const BlockSet& blocks, Visit&& visit)
+{
+	for (const Block& block : blocks.blocks)
+		for (const Field& field : block.fields)
+			if (field.stored)
+				visit(*field.stored);
+}
+
+} // namespace
+
+bool staysInFile(const BlockSet& blocks)
+{
+	bool stays = false;
+	forEachStored(blocks, [&](const parts::PartStore&) { stays = true; });
+	return stays;
+}
+
+std::optional<parts::PartUse> partUse(const BlockSet& blocks)
+{
+	std::optional<parts::PartUse> sum;
+	forEachStored(blocks,
+	              [&](const parts::PartStore& store)
+	              {
+		              if (!sum)
+			              sum.emplace();
+		              sum->include(store.use());
+	              });
+	return sum;
+}
+
+void startCountingParts(const BlockSet& blocks)
+{
+	forEachStored(blocks, [](const parts::PartStore& store) { store.startCounting(); });
+}
+
 bool knowsSeams(const BlockSet& blocks)
 {
 	return blocks.matches_seams && hasNeighbors(blocks);

@@ -34,6 +34,7 @@ struct Block
 	std::vector<Field> fields;
 	std::string length_units{}; // units of the coordinates, as the file names them; mostly empty
 	Imaging imaging{};
+	std::uint32_t input = 0; // number of the input that holds it, of several
 	// Identifies the coordinates and cells of the file. If two blocks of one input at two times have the same number,
 	// they have the same grid. 0: not known.
 	std::uint64_t geometry = 0;
@@ -105,6 +106,13 @@ struct BlockSet
 
 /// Returns true if all blocks know their neighbors.
 bool hasNeighbors(const BlockSet& blocks);
+
+/// Returns true if an array stays in its file (Field::stored).
+bool staysInFile(const BlockSet& blocks);
+
+/// Returns what was read of such arrays since startCounting(), or nothing if there are none.
+std::optional<parts::PartUse> partUse(const BlockSet& blocks);
+void startCountingParts(const BlockSet& blocks);
 
 /// Returns true if matchInterfaces() has run, or if the blocks are known to have no interfaces. Otherwise a mesh finds
 /// the few interfaces that it needs (mesh/mesh_seams.h).

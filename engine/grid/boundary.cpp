@@ -127,8 +127,32 @@ void addFaces(const UnstructuredGrid& grid, BoundaryIndex& index)
 	cut(index.patches.size(), kGroupFacePatches, index.groups);
 }
 
+// Coordinates along straight axes rise or fall throughout, so the first and the last face of a patch reach as far as
+// all of them do.
 template <Grid G>
-void fillBoxes(const G& grid, BoundaryIndex& index)
+void fillBoxesOfStraightAxes(const G& grid, BoundaryIndex& index)
+{
+	parallelFor(tbb::blocked_range<std::size_t>(0, index.patches.size(), 1024),
+	            [&](const auto& range)
+	            {
+		            for (std::size_t p = range.begin(); p < range.end(); ++p)
+			            for (const std::uint32_t i : {index.patches[p].begin, index.patches[p].end - 1})
+			            {
+				            const auto [cell, side] = index.faces[i];
+				            const auto at = grid.cellIndex(cell);
+				            for (std::uint32_t corner = 0; corner < 8; ++corner)
+				            {
+					            const std::array step{corner & 1, corner >> 1 & 1, corner >> 2};
+					            if (step[side / 2] == side % 2)
+						            index.patches[p].box.include(
+						                grid.pointAt(at[0] + step[0], at[1] + step[1], at[2] + step[2]));
+				            }
+			            }
+	            });
+}
+
+template <Grid G>
+void fillBoxesOfFaces(const G& grid, BoundaryIndex& index)
 {
 	constexpr bool kKeepsCoordinates = requires
 	{
@@ -160,6 +184,19 @@ void fillBoxes(const G& grid, BoundaryIndex& index)
 	            });
 	if (has_large_faces)
 		index.corners = {};
+}
+
+template <Grid G>
+void fillBoxes(const G& grid, BoundaryIndex& index)
+{
+	constexpr bool kIsStraight = requires
+	{
+		grid.coordinate(0, 0);
+	};
+	if constexpr (kIsStraight)
+		fillBoxesOfStraightAxes(grid, index);
+	else
+		fillBoxesOfFaces(grid, index);
 	for (BoundaryIndex::Range& group : index.groups)
 		for (std::uint32_t p = group.begin; p < group.end; ++p)
 			group.box.include(index.patches[p].box);

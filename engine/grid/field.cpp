@@ -4,6 +4,7 @@
 #include "grid/shown_value.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
@@ -80,13 +81,37 @@ const char* associationName(Association association)
 
 std::size_t Field::tuples() const
 {
+	if (stored)
+		return stored->layout().itemCount();
 	return components > 0 ? bytes.size() / (byteSize(type) * components) : 0;
+}
+
+const std::byte* Field::tuple(std::size_t number) const
+{
+	return stored ? stored->item(number) : bytes.data() + number * components * byteSize(type);
 }
 
 double Field::value(std::size_t tuple, int component) const
 {
+	if (stored) [[unlikely]]
+		return withNumberType(type,
+		                      [&](auto number) { return numberAt<decltype(number)>(stored->item(tuple), component); });
 	const std::size_t index = tuple * components + component;
 	return withNumberType(type, [&](auto number) { return numberAt<decltype(number)>(bytes.data(), index); });
+}
+
+Field inMemory(const Field& field)
+{
+	if (!field.stored)
+		return field;
+	Field read = field;
+	std::vector<std::byte> bytes(field.stored->layout().byteCount());
+	const std::size_t width = field.stored->layout().item_bytes;
+	field.stored->forEachRun([&](std::uint64_t first, const std::byte* from, std::size_t count)
+	                         { std::copy_n(from, count * width, bytes.data() + first * width); });
+	read.stored.reset();
+	read.bytes = std::move(bytes);
+	return read;
 }
 
 bool namesCategories(const Field& field)
@@ -154,31 +179,62 @@ void ValueSpan::include(const ValueSpan& other)
 	plus_infinity = plus_infinity || other.plus_infinity;
 }
 
+namespace
+{
+
+// Returns the span of tuples that lie one after the other.
+template <class T>
+ValueSpan spanOfRun(const std::byte* bytes, std::size_t count, int components, int component, ValueSpan result)
+{
+	const std::size_t width = components;
+	for (std::size_t t = 0; t < count; ++t)
+	{
+		if (component != kMagnitude)
+		{
+			result.include(numberAt<T>(bytes, t * width + component));
+			continue;
+		}
+		double square = 0.0;
+		for (std::size_t c = 0; c < width; ++c)
+		{
+			const double value = numberAt<T>(bytes, t * width + c);
+			square += magnitudeWeight(components, static_cast<int>(c)) * value * value;
+		}
+		result.include(std::sqrt(square));
+	}
+	return result;
+}
+
+// The sign of a zero may be that of any of them.
+template <class T>
+ValueSpan spanOfStored(const Field& field, int component)
+{
+	tbb::enumerable_thread_specific<ValueSpan> spans;
+	field.stored->forEachRun(
+	    [&](std::uint64_t, const std::byte* bytes, std::size_t count)
+	    { spans.local() = spanOfRun<T>(bytes, count, field.components, component, spans.local()); });
+	return spans.combine(
+	    [](ValueSpan a, const ValueSpan& b)
+	    {
+		    a.include(b);
+		    return a;
+	    });
+}
+
+} // namespace
+
 ValueSpan valueSpan(const Field& field, int component)
 {
 	const auto range = [&](auto number)
 	{
 		using T = decltype(number);
-		const std::byte* bytes = field.bytes.data();
-		const std::size_t width = field.components;
+		if (field.stored)
+			return spanOfStored<T>(field, component);
+		const std::size_t width = field.components * sizeof(T);
 		const auto scan = [&](const tbb::blocked_range<std::size_t>& tuples, ValueSpan result)
 		{
-			for (std::size_t t = tuples.begin(); t < tuples.end(); ++t)
-			{
-				if (component != kMagnitude)
-				{
-					result.include(numberAt<T>(bytes, t * width + component));
-					continue;
-				}
-				double square = 0.0;
-				for (std::size_t c = 0; c < width; ++c)
-				{
-					const double value = numberAt<T>(bytes, t * width + c);
-					square += magnitudeWeight(field.components, static_cast<int>(c)) * value * value;
-				}
-				result.include(std::sqrt(square));
-			}
-			return result;
+			return spanOfRun<T>(field.bytes.data() + tuples.begin() * width, tuples.size(), field.components, component,
+			                    result);
 		};
 		const auto join = [](ValueSpan a, const ValueSpan& b)
 		{

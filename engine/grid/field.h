@@ -1,10 +1,12 @@
 #pragma once
 
 #include "base/array.h"
+#include "parts/part_store.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -39,7 +41,8 @@ enum class Association : std::uint8_t
 const char* associationName(Association association); // "point", "cell"
 
 // An array of values over the points or the cells of a block, in the numbering and number type of its source:
-// index it with sourcePoint(p) or sourceCell(c). `bytes` holds tuples() x components numbers.
+// index it with sourcePoint(p) or sourceCell(c). `bytes` holds tuples() x components numbers, unless they stay in their
+// file: then `bytes` is empty, and `stored` holds a tuple as each item.
 struct Field
 {
 	std::string name;
@@ -49,10 +52,20 @@ struct Field
 	Array<std::byte> bytes;
 	bool categorical = false; // see namesCategories(); set when a block takes its fields
 	std::string units{};      // as in the file, mostly empty
+	std::shared_ptr<const parts::PartStore> stored{};
 
 	std::size_t tuples() const;
+	// Returns the numbers of a tuple, one after the other, with no promise about alignment. Those of a stored array may
+	// be read for this, and stay valid until this thread has asked for some others (parts::PartStore::item). The caller
+	// checks the bounds.
+	const std::byte* tuple(std::size_t number) const;
 	double value(std::size_t tuple, int component) const; // the caller checks the bounds
+	// Tells an array from others and from what held other values before.
+	const void* identity() const { return stored ? static_cast<const void*>(stored.get()) : bytes.data(); }
 };
+
+// Returns the array with all its values in memory.
+Field inMemory(const Field& field);
 
 // Returns true if the numbers of an array are names of categories, with nothing between two of them. Such an array has
 // an integer type, and one word of its name is id, ids, material, materials, label, labels, region, regions, zone,

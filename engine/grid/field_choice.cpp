@@ -132,6 +132,12 @@ std::string componentName(int component, int components)
 	return fmt::to_string(component);
 }
 
+bool isCategorical(const BlockSet& blocks, const std::optional<FieldChoice>& field)
+{
+	return field && std::ranges::any_of(field->inEach(blocks),
+	                                    [](const Field* of_block) { return of_block && of_block->categorical; });
+}
+
 std::optional<int> parseComponent(std::string_view text)
 {
 	if (text == "magnitude")

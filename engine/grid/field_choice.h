@@ -25,6 +25,9 @@ struct FieldChoice
 	std::string title(const grid::BlockSet& blocks) const; // "v magnitude", "v y", "s"
 };
 
+/// Returns true if a block holds the array and marks it as one that names categories (Field::categorical).
+bool isCategorical(const BlockSet& blocks, const std::optional<FieldChoice>& field);
+
 /// Returns the component that a text names: "magnitude", "x", "y", "z", a number from 0, or "xx", "xy" and so on, which
 /// are numbers below kMagnitude until chooseField() knows the array. Returns nothing for any other text.
 std::optional<int> parseComponent(std::string_view text);

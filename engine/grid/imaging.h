@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace vp::grid
 {
@@ -15,7 +16,9 @@ struct Imaging
 {
 	std::string orientation{}; // how the coordinates lie, as parseOrientation() takes it; mostly empty
 	bool gray = false;         // its values are shown in gray, as in the field's own programs
-	std::optional<std::pair<double, double>> window{}; // the values that are black and white, low < high
+	bool labels = false;       // its values name categories, as in a segmentation
+	std::optional<std::pair<double, double>> window{};         // the values that are black and white, low < high
+	std::vector<std::pair<double, std::string>> label_names{}; // by ascending values; mostly empty
 
 	bool operator==(const Imaging&) const = default;
 };

@@ -28,6 +28,13 @@ double shownValue(int components, int component, At&& at)
 	return std::sqrt(sum);
 }
 
+// The same of the numbers of a tuple of the field.
+inline double shownValue(const Field& field, const std::byte* tuple, int component)
+{
+	return shownValue(field.components, component,
+	                  [&](int c) { return loadNumber(field.type, tuple + c * byteSize(field.type)); });
+}
+
 inline double shownValue(const Field& field, std::size_t tuple, int component)
 {
 	return shownValue(field.components, component, [&](int c) { return field.value(tuple, c); });

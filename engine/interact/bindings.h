@@ -17,6 +17,7 @@ enum class Action
 	save_picture,
 	save_film,
 	save_slice,
+	save_color_map,
 	undo,
 	redo,
 	quit,
@@ -81,6 +82,7 @@ enum class Action
 	next_array,
 	previous_array,
 	range_of_slice,
+	color_map,
 	lines,
 	bands,
 	mesh,
@@ -98,6 +100,8 @@ enum class Action
 	text_larger,
 	text_smaller,
 	find_command,
+	menus,
+	panel_keys,
 	hints,
 	help
 };

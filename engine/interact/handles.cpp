@@ -1,9 +1,13 @@
 #include "interact/handles.h"
 
+#include "probe/presets.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
 
 namespace vp::interact
 {
@@ -128,9 +132,55 @@ HandleShape cornerShape(const probe::Sheet& sheet, std::size_t s, int corner, co
 	return {{HandleKind::corner, 0, s, corner}, {{next, at, last}}, 1.0, depth >= view.camera.near};
 }
 
-void addWindow(const probe::Sheet& sheet, std::size_t s, const View& view, double ui_scale,
+// A window that reaches around all data, as a paddlewheel's own does, ends where the data end: its rim lies around what
+// the plane may cut of them. Its sides out there cannot be dragged.
+std::optional<probe::Window> windowInData(const probe::Sheet& sheet, const Box& bounds)
+{
+	if (!probe::reachesAround(*sheet.window, bounds))
+		return sheet.window;
+	const auto cornerAt = [&](int i)
+	{
+		return Vec3(i & 1 ? bounds.hi.x : bounds.lo.x, i & 2 ? bounds.hi.y : bounds.lo.y,
+		            i & 4 ? bounds.hi.z : bounds.lo.z);
+	};
+	glm::dvec2 lo(std::numeric_limits<double>::max());
+	glm::dvec2 hi(-std::numeric_limits<double>::max());
+	for (int axis = 0; axis < 3; ++axis)
+		for (int i = 0; i < 8; ++i)
+		{
+			if (i & 1 << axis)
+				continue;
+			const Vec3 a = cornerAt(i);
+			const Vec3 b = cornerAt(i | 1 << axis);
+			const double from = glm::dot(a - sheet.origin, sheet.normal);
+			const double to = glm::dot(b - sheet.origin, sheet.normal);
+			if ((from > 0.0) == (to > 0.0) && from != 0.0)
+				continue;
+			const Vec3 at = a + (from == to ? 0.0 : from / (from - to)) * (b - a) - sheet.origin;
+			const glm::dvec2 uv(glm::dot(at, sheet.xAxis()), glm::dot(at, sheet.up));
+			lo = glm::min(lo, uv);
+			hi = glm::max(hi, uv);
+		}
+	const probe::Window& window = *sheet.window;
+	const probe::Window inside{std::max(window.x0, lo.x), std::min(window.x1, hi.x), std::max(window.y0, lo.y),
+	                           std::min(window.y1, hi.y)};
+	return inside.x0 < inside.x1 && inside.y0 < inside.y1 ? std::optional(inside) : std::nullopt;
+}
+
+void addWindow(const probe::Sheet& sheet, std::size_t s, const View& view, const Box& bounds, double ui_scale,
                std::vector<HandleShape>& shapes)
 {
+	const std::optional<probe::Window> in_data = windowInData(sheet, bounds);
+	if (!in_data)
+		return;
+	if (*in_data != *sheet.window)
+	{
+		probe::Sheet shown = sheet;
+		shown.window = in_data;
+		const std::array<Vec3, 4> rim = windowCorners(shown);
+		shapes.push_back({{HandleKind::sheet, 2, s}, {{rim[0], rim[1], rim[2], rim[3], rim[0]}}, 1.0, false});
+		return;
+	}
 	const std::array<Vec3, 4> corner = windowCorners(sheet);
 	shapes.push_back(
 	    {{HandleKind::sheet, 2, s}, {{corner[0], corner[1], corner[2], corner[3], corner[0]}}, 1.0, false});
@@ -211,7 +261,7 @@ std::vector<HandleShape> handlesOf(const probe::Probe& probe, const View& view, 
 		if (sheet.wishes.hidden)
 			continue;
 		if (sheet.window)
-			addWindow(sheet, s, view, options.ui_scale, shapes);
+			addWindow(sheet, s, view, bounds, options.ui_scale, shapes);
 		else if (probe::content(sheet).plane().meets(bounds))
 			shapes.push_back({{HandleKind::sheet, 2, s}, {}, 1.0, false});
 	}

@@ -44,11 +44,6 @@ void bound(std::array<double, 3>& weight)
 
 } // namespace
 
-std::uint32_t SheetPlace::nearestVertex() const
-{
-	return weight[1] > weight[0] ? corner[1] : corner[0];
-}
-
 SheetLookup::SheetLookup(const mesh::SheetMesh& mesh, const probe::Frame& content) : mesh_(&mesh), frame_(content)
 {
 	const std::vector<Rect> rects = takeRects();

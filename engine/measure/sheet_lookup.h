@@ -22,8 +22,6 @@ struct SheetPlace
 	std::array<std::uint32_t, 2> corner; // vertices of the mesh, in the order of the polygon
 	std::array<double, 3> weight;        // weights of the corners and of the mean: 0 to 1, with the sum 1
 	bool inside = true;                  // false: the place lies beside the polygon, by rounding
-
-	std::uint32_t nearestVertex() const; // the nearest corner: its value counts for ids and categories
 };
 
 // Finds what lies at places of a sheet: polygons are listed in bins over its plane. Made in time linear in the mesh,

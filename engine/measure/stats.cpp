@@ -2,7 +2,9 @@
 
 #include "base/ordered_sum.h"
 #include "measure/components.h"
+#include "mesh/fetch_values.h"
 #include "mesh/mesh_values.h"
+#include "mesh/nearest_parts.h"
 #include "mesh/own_polygons.h"
 
 #include <tbb/blocked_range.h>
@@ -87,6 +89,21 @@ SheetSums takeVertexValues(const grid::BlockSet& blocks, const mesh::SheetMesh& 
 	                             });
 }
 
+// Sums up values of points that are shown by the nearest one: labels, which have no mean between two of them.
+SheetSums sumUpNearest(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, const grid::FieldChoice& field)
+{
+	const mesh::NearestParts parts = mesh::nearestParts(blocks, mesh, field.inEach(blocks), field.component);
+	const std::size_t of_cells = parts.mesh.polygons() - parts.mesh.boundary_polygons;
+	return orderedSum<SheetSums>(parts.mesh.polygons(),
+	                             [&](SheetSums& sums, std::size_t p)
+	                             {
+		                             addValue(sums, parts.values[p]);
+		                             PolygonSums of_polygon;
+		                             of_polygon.addPolygon(parts.mesh, parts.mesh.polygon(p), {}, parts.values[p]);
+		                             of_polygon.addTo(p < of_cells ? sums.cut : sums.boundary);
+	                             });
+}
+
 // Returns true if is_finite(i) holds for each i < count. It is called on all cores.
 template <class IsFinite>
 bool areFinite(std::size_t count, const IsFinite& is_finite)
@@ -120,6 +137,7 @@ double nanArea(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, const 
 	const std::size_t count = on_points ? mesh.positions.size() : mesh.polygons();
 	if (known && areKnownFinite(fields, field->component, count, *known))
 		return 0.0;
+	mesh::fetchValues(blocks, mesh, fields);
 	const auto ofVertex = [&](std::size_t v)
 	{ return std::isfinite(mesh::vertexValue(blocks, mesh, v, fields, field->component)); };
 	const auto ofPolygon = [&](std::size_t p)
@@ -156,11 +174,14 @@ SheetSums sumUp(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh,
                 const std::optional<grid::FieldChoice>& field)
 {
 	const bool on_points = field && field->association == grid::Association::point;
+	if (on_points && grid::isCategorical(blocks, field))
+		return sumUpNearest(blocks, mesh, *field);
 	constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 	std::vector<double> vertex_values;
 	const mesh::OwnPolygons own(mesh);
-	const SheetSums of_vertices = on_points ? takeVertexValues(blocks, mesh, own, *field, vertex_values) : SheetSums();
 	const auto fields = field ? field->inEach(blocks) : std::vector<const grid::Field*>(blocks.blocks.size());
+	mesh::fetchValues(blocks, mesh, fields);
+	const SheetSums of_vertices = on_points ? takeVertexValues(blocks, mesh, own, *field, vertex_values) : SheetSums();
 	const std::size_t of_cells = mesh.polygons() - mesh.boundary_polygons;
 	SheetSums sums = orderedSum<SheetSums>(mesh.polygons(),
 	                                       [&](SheetSums& part, std::size_t p)

@@ -16,7 +16,8 @@ namespace vp::measure
 // the mean has the mean of their values. In a concave polygon a triangle may run against the polygon. It counts as
 // negative, so the sum is the polygon, and the integral of a linear field is exact. Boundary faces in the plane have an
 // area and a mean of their own. Of the other figures only the range includes them. So the figures are the same on
-// either side of a plane at which cells meet.
+// either side of a plane at which cells meet. Values of points that name categories are those of the nearest point
+// (mesh/nearest_parts.h), so the mean is that of their areas (value_areas.h).
 struct SheetMeasure
 {
 	double area = 0.0;

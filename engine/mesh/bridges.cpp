@@ -39,4 +39,15 @@ std::vector<std::uint8_t> bridgesOf(std::span<const std::uint32_t> polygon)
 	return is_bridge;
 }
 
+std::vector<std::uint8_t> hiddenSidesOf(const SheetMesh& mesh, std::size_t polygon)
+{
+	std::vector<std::uint8_t> hidden = bridgesOf(mesh.polygon(polygon));
+	if (mesh.is_inner.empty())
+		return hidden;
+	hidden.resize(mesh.polygon(polygon).size());
+	for (std::size_t i = 0; i < hidden.size(); ++i)
+		hidden[i] |= mesh.is_inner[mesh.polygon_starts[polygon] + i];
+	return hidden;
+}
+
 } // namespace vp::mesh

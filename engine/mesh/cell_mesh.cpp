@@ -1,9 +1,8 @@
 #include "mesh/cell_mesh.h"
 
 #include "base/key_numbers.h"
+#include "base/parallel_for.h"
 #include "mesh/mesh_chunk_writer.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -125,7 +124,7 @@ MeshCleanup addCells(const grid::Block& block, std::uint32_t number, const Surfa
 	const find::CellCut& cut = found.closed ? found : ordered;
 	std::vector<MeshChunk> parts((cut.cells.size() + kPartCells - 1) / kPartCells);
 	std::vector<MeshCleanup> doubts(parts.size());
-	const auto forParts = [&](auto&& act) { tbb::parallel_for(std::size_t(0), parts.size(), act); };
+	const auto forParts = [&](auto&& act) { tracedFor(std::size_t(0), parts.size(), act); };
 	const auto add = [&](const auto& grid, const auto& reader)
 	{
 		forParts(

@@ -1,7 +1,8 @@
 #include "mesh/clip_outside.h"
 
+#include "base/parallel_for.h"
+
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -65,13 +66,13 @@ bool findOutside(const Vec3& origin, std::span<const ClipSide> sides, std::span<
 	outside.resize(positions.size());
 	std::atomic<bool> any{false};
 	constexpr std::size_t kGrain = 4096;
-	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, outside.size(), kGrain),
-	                  [&](const auto& range)
-	                  {
-		                  if (findOutsideIn(origin, sides, positions.subspan(range.begin(), range.size()),
-		                                    outside.data() + range.begin()))
-			                  any = true;
-	                  });
+	tracedFor(tbb::blocked_range<std::size_t>(0, outside.size(), kGrain),
+	          [&](const auto& range)
+	          {
+		          if (findOutsideIn(origin, sides, positions.subspan(range.begin(), range.size()),
+		                            outside.data() + range.begin()))
+			          any = true;
+	          });
 	return any;
 }
 

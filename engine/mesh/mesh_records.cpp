@@ -1,11 +1,11 @@
 #include "mesh/mesh_records.h"
 
+#include "base/parallel_for.h"
 #include "mesh/bridges.h"
 #include "mesh/mesh_values.h"
 #include "mesh/polygon_fans.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
@@ -23,18 +23,25 @@ constexpr std::size_t kRecordChunk = 1024;
 template <class F>
 void forAll(std::size_t count, const F& f)
 {
-	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kRecordChunk),
-	                  [&](const auto& range)
-	                  {
-		                  for (std::size_t i = range.begin(); i < range.end(); ++i)
-			                  f(i);
-	                  });
+	tracedFor(tbb::blocked_range<std::size_t>(0, count, kRecordChunk),
+	          [&](const auto& range)
+	          {
+		          for (std::size_t i = range.begin(); i < range.end(); ++i)
+			          f(i);
+	          });
 }
 
 // Records that a fan of so many corners makes.
 std::size_t recordsOfFan(std::size_t corners)
 {
 	return corners < 3 ? 0 : (corners - 2 + shared::kMaxRecordVertices - 3) / (shared::kMaxRecordVertices - 2);
+}
+
+// A width of the whole cell, as a multiple of the polygon's, in the bits of a record.
+std::uint32_t widthBits(float width)
+{
+	const double steps = std::clamp(shared::kRecordWidthSteps * std::log2(std::max(width, 1.0f)), 0.0f, 65535.0f);
+	return static_cast<std::uint32_t>(std::lround(steps)) << shared::kRecordWidthShift;
 }
 
 } // namespace
@@ -47,8 +54,9 @@ float drawnValue(double value)
 }
 
 MeshRecords::MeshRecords(const grid::BlockSet& blocks, const probe::Sheet& sheet, const SheetMesh& mesh,
-                         const std::optional<grid::FieldChoice>& field)
-    : mesh_(mesh), of_vertices_(field && field->association == grid::Association::point)
+                         const std::optional<grid::FieldChoice>& field, PartEdges part_edges)
+    : mesh_(mesh), part_edges_(std::move(part_edges)),
+      of_vertices_(field && field->association == grid::Association::point)
 {
 	takePlaces(sheet);
 	const auto fields = field ? field->inEach(blocks) : std::vector<const grid::Field*>();
@@ -71,8 +79,9 @@ MeshRecords::MeshRecords(const grid::BlockSet& blocks, const probe::Sheet& sheet
 	countRecords();
 }
 
-MeshRecords::MeshRecords(const probe::Sheet& sheet, const SheetMesh& mesh, std::span<const double> polygon_values)
-    : mesh_(mesh)
+MeshRecords::MeshRecords(const probe::Sheet& sheet, const SheetMesh& mesh, std::span<const double> polygon_values,
+                         PartEdges part_edges)
+    : mesh_(mesh), part_edges_(std::move(part_edges))
 {
 	takePlaces(sheet);
 	values_.resize(polygon_values.size());
@@ -99,14 +108,22 @@ void MeshRecords::takePlaces(const probe::Sheet& sheet)
 	    [](const UvBounds& a, const UvBounds& b) { return a.with(b); });
 }
 
-// Notes whether the polygon is one record. places: room to work in.
+bool MeshRecords::hasInnerSide(std::size_t polygon) const
+{
+	const std::vector<std::uint8_t>& inner = mesh_.is_inner;
+	return !inner.empty() &&
+	       std::find(inner.begin() + mesh_.polygon_starts[polygon], inner.begin() + mesh_.polygon_starts[polygon + 1],
+	                 1) != inner.begin() + mesh_.polygon_starts[polygon + 1];
+}
+
+// Notes whether the polygon is one record, with lines along all sides. places: room to work in.
 std::size_t MeshRecords::recordsOf(std::size_t polygon, std::vector<glm::dvec2>& places)
 {
 	places.clear();
 	for (const std::uint32_t v : mesh_.polygon(polygon))
 		places.push_back(places_[v]);
 	const bool is_fan = isFan(places);
-	is_one_[polygon] = is_fan && places.size() <= shared::kMaxRecordVertices;
+	is_one_[polygon] = is_fan && places.size() <= shared::kMaxRecordVertices && !hasInnerSide(polygon);
 	if (is_fan)
 		return recordsOfFan(places.size());
 	std::size_t records = 0;
@@ -120,14 +137,23 @@ void MeshRecords::countRecords()
 	const std::size_t chunks = (mesh_.polygons() + kRecordChunk - 1) / kRecordChunk;
 	is_one_.resize(mesh_.polygons());
 	chunk_starts_.assign(chunks + 1, 0);
-	tbb::parallel_for(std::size_t(0), chunks,
-	                  [&](std::size_t chunk)
-	                  {
-		                  std::vector<glm::dvec2> places;
-		                  const std::size_t end = std::min((chunk + 1) * kRecordChunk, mesh_.polygons());
-		                  for (std::size_t p = chunk * kRecordChunk; p < end; ++p)
-			                  chunk_starts_[chunk + 1] += recordsOf(p, places);
-	                  });
+	std::vector<double> longest(chunks, 0.0);
+	tracedFor(std::size_t(0), chunks,
+	          [&](std::size_t chunk)
+	          {
+		          std::vector<glm::dvec2> places;
+		          const std::size_t end = std::min((chunk + 1) * kRecordChunk, mesh_.polygons());
+		          for (std::size_t p = chunk * kRecordChunk; p < end; ++p)
+		          {
+			          chunk_starts_[chunk + 1] += recordsOf(p, places);
+			          UvBounds bounds;
+			          for (const glm::dvec2& place : places)
+				          bounds = bounds.with(place);
+			          longest[chunk] = std::max(longest[chunk], glm::distance(bounds.lo, bounds.hi));
+		          }
+	          });
+	for (const double of_chunk : longest)
+		longest_ = std::max(longest_, of_chunk);
 	for (std::size_t chunk = 0; chunk < chunks; ++chunk)
 		chunk_starts_[chunk + 1] += chunk_starts_[chunk];
 	findParts();
@@ -161,19 +187,29 @@ void MeshRecords::writePolygon(std::size_t polygon, std::vector<glm::dvec2>& pla
 		++record.vertices;
 	};
 	const auto cell = static_cast<std::uint32_t>(mesh_.polygon_cells[polygon].cell);
+	const std::uint32_t start = mesh_.polygon_starts[polygon];
+	const std::uint32_t width_bits = widthBits(part_edges_.widthOf(polygon));
 	if (is_one_[polygon])
 	{
 		shared::PolygonRecord record{cell, 0, {}, {}};
+		std::uint32_t hidden = 0;
 		for (std::uint32_t i = 0; i < corners.size(); ++i)
+		{
 			add(record, i);
+			hidden |= part_edges_.isInner(start + i) ? shared::kHiddenRecordEdge << i : 0u;
+		}
+		record.vertices |= hidden | width_bits;
 		return emit(record);
 	}
 	places.clear();
 	for (const std::uint32_t v : corners)
 		places.push_back(places_[v]);
-	const std::vector<std::uint8_t> is_bridge = bridgesOf(corners);
+	const std::vector<std::uint8_t> is_hidden_side = hiddenSidesOf(mesh_, polygon);
 	const auto isHidden = [&](std::uint32_t from, std::uint32_t to)
-	{ return to != (from + 1) % corners.size() || (!is_bridge.empty() && is_bridge[from]); };
+	{
+		return to != (from + 1) % corners.size() || (!is_hidden_side.empty() && is_hidden_side[from]) ||
+		       part_edges_.isInner(start + from);
+	};
 	for (const std::vector<std::uint32_t>& fan : cutIntoFans(places))
 		for (std::size_t next = 1; next + 1 < fan.size();)
 		{
@@ -189,7 +225,7 @@ void MeshRecords::writePolygon(std::size_t polygon, std::vector<glm::dvec2>& pla
 			for (std::uint32_t i = 0; i < count; ++i)
 				if (isHidden(cornerAt(i), cornerAt(i + 1)))
 					hidden |= shared::kHiddenRecordEdge << i;
-			record.vertices |= hidden;
+			record.vertices |= hidden | width_bits;
 			emit(record);
 		}
 }
@@ -201,21 +237,21 @@ void MeshRecords::write(std::size_t first, std::span<shared::PolygonRecord> to) 
 	{ return std::ranges::upper_bound(chunk_starts_, record) - chunk_starts_.begin() - 1; };
 	if (to.empty())
 		return;
-	tbb::parallel_for(chunkOf(first), chunkOf(last - 1) + 1,
-	                  [&](std::ptrdiff_t chunk)
-	                  {
-		                  std::vector<glm::dvec2> places;
-		                  std::size_t next = chunk_starts_[chunk];
-		                  const std::size_t end = std::min<std::size_t>((chunk + 1) * kRecordChunk, mesh_.polygons());
-		                  for (std::size_t p = chunk * kRecordChunk; p < end; ++p)
-			                  writePolygon(p, places,
-			                               [&](const shared::PolygonRecord& record)
-			                               {
-				                               if (next >= first && next < last)
-					                               to[next - first] = record;
-				                               ++next;
-			                               });
-	                  });
+	tracedFor(chunkOf(first), chunkOf(last - 1) + 1,
+	          [&](std::ptrdiff_t chunk)
+	          {
+		          std::vector<glm::dvec2> places;
+		          std::size_t next = chunk_starts_[chunk];
+		          const std::size_t end = std::min<std::size_t>((chunk + 1) * kRecordChunk, mesh_.polygons());
+		          for (std::size_t p = chunk * kRecordChunk; p < end; ++p)
+			          writePolygon(p, places,
+			                       [&](const shared::PolygonRecord& record)
+			                       {
+				                       if (next >= first && next < last)
+					                       to[next - first] = record;
+				                       ++next;
+			                       });
+	          });
 }
 
 } // namespace vp::mesh

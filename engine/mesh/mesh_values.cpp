@@ -1,13 +1,14 @@
 #include "mesh/mesh_values.h"
 
+#include "base/parallel_for.h"
 #include "base/prefetch.h"
 #include "base/two_doubles.h"
 #include "grid/number_types.h"
 #include "grid/shown_value.h"
+#include "mesh/fetch_values.h"
 #include "mesh/union_find.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -73,12 +74,24 @@ void interpolateEach(std::span<const EdgePoint> edges, const grid::Field& field,
 	}
 }
 
+// The same of a stored array.
+template <class SourceOf>
+void interpolateStored(std::span<const EdgePoint> edges, const grid::Field& field, int component, SourceOf source_of,
+                       double* values)
+{
+	for (std::size_t v = 0; v < edges.size(); ++v)
+		values[v] = alongEdge(field.value(source_of(edges[v].lower), component),
+		                      field.value(source_of(edges[v].higher), component), edges[v].t, field.categorical);
+}
+
 // One component at vertices on the edges of one block, without a decision for each vertex that is the same for all.
 void interpolateAll(const grid::Block& block, const grid::Field& field, int component, std::span<const EdgePoint> edges,
                     double* values)
 {
 	const auto from = [&](auto source_of)
 	{
+		if (field.stored)
+			return interpolateStored(edges, field, component, source_of, values);
 		grid::withNumberType(field.type, [&](auto number)
 		                     { interpolateEach<decltype(number)>(edges, field, component, source_of, values); });
 	};
@@ -197,6 +210,7 @@ double vertexScale(const grid::BlockSet& blocks, const SheetMesh& mesh, std::siz
 RawVector<double> vertexValues(const grid::BlockSet& blocks, const SheetMesh& mesh,
                                std::span<const grid::Field* const> fields, int component)
 {
+	fetchValues(blocks, mesh, fields);
 	RawVector<double> values;
 	values.resize(mesh.positions.size());
 	constexpr std::size_t kGrain = 4096;
@@ -222,7 +236,7 @@ RawVector<double> vertexValues(const grid::BlockSet& blocks, const SheetMesh& me
 			v = end;
 		}
 	};
-	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, values.size(), kGrain), fill);
+	tracedFor(tbb::blocked_range<std::size_t>(0, values.size(), kGrain), fill);
 	if (!mesh.seam_pairs.empty())
 		uniteAtSeams(blocks, mesh, fields, component, values);
 	return values;
@@ -233,6 +247,18 @@ double cellValue(const grid::Block& block, const grid::Field& field, int compone
 	const std::size_t source =
 	    std::visit([&](const auto& grid) { return std::size_t(grid.sourceCell(cell)); }, block.grid);
 	return grid::shownValue(field, source, component);
+}
+
+std::vector<double> polygonValues(const grid::BlockSet& blocks, const SheetMesh& mesh,
+                                  std::span<const grid::Field* const> fields, int component)
+{
+	fetchValues(blocks, mesh, fields);
+	std::vector<double> values;
+	values.reserve(mesh.polygons());
+	for (const auto& [b, cell] : mesh.polygon_cells)
+		values.push_back(fields[b] ? cellValue(blocks.blocks[b], *fields[b], component, cell)
+		                           : std::numeric_limits<double>::quiet_NaN());
+	return values;
 }
 
 } // namespace vp::mesh

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 namespace vp::mesh
 {
@@ -37,6 +38,10 @@ inline bool isSameValue(double a, double b, double scale)
 // each other at a seam (SheetMesh::seam_pairs) has one value at all of them, to the last bit.
 RawVector<double> vertexValues(const grid::BlockSet& blocks, const SheetMesh& mesh,
                                std::span<const grid::Field* const> fields, int component);
+
+// Returns the value of a cell array on each polygon; NaN where a block lacks it.
+std::vector<double> polygonValues(const grid::BlockSet& blocks, const SheetMesh& mesh,
+                                  std::span<const grid::Field* const> fields, int component);
 
 double cellValue(const grid::Block& block, const grid::Field& field, int component, CellId cell);
 

@@ -84,4 +84,29 @@ void dropUnusedVertices(SheetMesh& mesh)
 	}
 }
 
+SheetMesh withoutBlocks(const SheetMesh& mesh, const std::vector<bool>& blocks)
+{
+	SheetMesh rest = mesh;
+	rest.polygon_starts.resize(1);
+	rest.polygon_vertices.clear();
+	rest.polygon_cells.clear();
+	rest.is_added.clear();
+	rest.boundary_polygons = 0;
+	for (std::size_t p = 0; p < mesh.polygons(); ++p)
+	{
+		if (blocks[mesh.polygon_cells[p].block])
+			continue;
+		for (std::uint32_t corner = mesh.polygon_starts[p]; corner < mesh.polygon_starts[p + 1]; ++corner)
+		{
+			rest.polygon_vertices.push_back(mesh.polygon_vertices[corner]);
+			if (!mesh.is_added.empty())
+				rest.is_added.push_back(mesh.is_added[corner]);
+		}
+		rest.polygon_starts.push_back(static_cast<std::uint32_t>(rest.polygon_vertices.size()));
+		rest.polygon_cells.push_back(mesh.polygon_cells[p]);
+		rest.boundary_polygons += p >= mesh.polygons() - mesh.boundary_polygons;
+	}
+	return rest;
+}
+
 } // namespace vp::mesh

@@ -84,6 +84,9 @@ struct SheetMesh
 	// Empty, or 1 for each entry of polygon_vertices that a join has put on a side of a larger cell's polygon, where
 	// smaller cells have vertices (hanging_vertices.h). Figures leave these corners out (own_polygons.h).
 	std::vector<std::uint8_t> is_added;
+	// Empty, or 1 for each entry of polygon_vertices whose side, to the next entry, lies between two parts of one
+	// polygon (nearest_parts.h). Lines of the mesh leave these sides out.
+	std::vector<std::uint8_t> is_inner;
 	std::size_t boundary_polygons = 0; // the last so many are boundary faces in the plane, of cells that are not cut
 	// Vertices that lie on each other at a seam and yet stay two, since an array or the place differs from one side to
 	// the other.
@@ -132,6 +135,9 @@ void forFan(const SheetMesh& mesh, std::span<const std::uint32_t> polygon, Visit
 
 // Adds what a vertex is the weighted mean of to `shares`, which may be those of the mesh itself.
 void addShares(const SheetMesh& mesh, std::uint32_t vertex, double weight, std::vector<PointShare>& shares);
+
+// Returns the mesh without the polygons of some blocks. Vertices keep their numbers.
+SheetMesh withoutBlocks(const SheetMesh& mesh, const std::vector<bool>& blocks);
 
 // Drops the vertices that no polygon uses.
 void dropUnusedVertices(SheetMesh& mesh);

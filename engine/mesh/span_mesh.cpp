@@ -1,11 +1,11 @@
 #include "mesh/span_mesh.h"
 
+#include "base/parallel_for.h"
 #include "mesh/cell_polygons.h"
 #include "mesh/edge_places.h"
 #include "mesh/span_polygons.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
@@ -51,8 +51,8 @@ public:
 		owned_.resize(cut_.columns.size());
 		constexpr std::size_t kGrain = 1024; // spans
 		const tbb::blocked_range<std::size_t> spans(0, cut_.spans.size(), kGrain);
-		tbb::parallel_for(spans, [&](const auto& range) { addVertices(range.begin(), range.end()); });
-		tbb::parallel_for(spans, [&](const auto& range) { addPolygons(range.begin(), range.end()); });
+		tracedFor(spans, [&](const auto& range) { addVertices(range.begin(), range.end()); });
+		tracedFor(spans, [&](const auto& range) { addPolygons(range.begin(), range.end()); });
 		if (cut_.cells.walked)
 			addWalked();
 		return {at_points_, slivers_ || cut_.cells.walked != 0};

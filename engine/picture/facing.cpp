@@ -12,6 +12,7 @@ namespace
 {
 
 constexpr double kAlongAxis = 1.0 - 1e-12; // the part of a unit vector along an axis to which it is parallel
+constexpr double kNearAxis = 0.7072;       // the same for a patient's planes that are less than 45 degrees off an axis
 constexpr double kLevel = 0.02;            // the sine below which a projection is too short to show what is up
 
 constexpr Vec3 kX{1.0, 0.0, 0.0};
@@ -56,22 +57,34 @@ std::array<Vec3, 2> upwardsOf(const grid::Orientation& orientation)
 	return {kZ, kY};
 }
 
-// Returns the axis to which a unit vector is parallel.
-std::optional<int> axisOf(const Vec3& normal)
+// Returns the axis along which more than this part of a unit vector lies.
+std::optional<int> axisOf(const Vec3& normal, double part)
 {
 	for (int axis = 0; axis < 3; ++axis)
-		if (std::abs(normal[axis]) > kAlongAxis)
+		if (std::abs(normal[axis]) > part)
 			return axis;
 	return std::nullopt;
 }
 
+// Returns a view of a plane with this normal from the side, and with the projection of the top, of another one.
+Facing tilted(const Facing& facing, const Vec3& normal)
+{
+	const bool is_same_side = glm::dot(glm::cross(facing.right, facing.up), normal) > 0.0;
+	const Vec3 up = glm::normalize(facing.up - glm::dot(facing.up, normal) * normal);
+	return {glm::cross(up, is_same_side ? normal : -normal), up};
+}
+
 Facing facingOf(const Vec3& normal, const grid::Orientation& orientation)
 {
-	if (const std::optional<int> axis = axisOf(normal))
+	const auto asAlong = [&](int axis)
 	{
-		const Facing facing = facingsOf(orientation)[static_cast<std::size_t>(*axis)];
-		return normal[*axis] > 0.0 ? facing : Facing{-facing.right, facing.up};
-	}
+		const Facing facing = facingsOf(orientation)[static_cast<std::size_t>(axis)];
+		return normal[axis] > 0.0 ? facing : Facing{-facing.right, facing.up};
+	};
+	if (const std::optional<int> axis = axisOf(normal, kAlongAxis))
+		return asAlong(*axis);
+	if (const std::optional<int> axis = orientation.patient ? axisOf(normal, kNearAxis) : std::nullopt)
+		return tilted(asAlong(*axis), normal);
 	const auto [usual, other] = upwardsOf(orientation);
 	Vec3 up = usual - glm::dot(usual, normal) * normal;
 	if (glm::length(up) < kLevel)
@@ -113,6 +126,15 @@ probe::Window turned(const probe::Window& window, const probe::Sheet& from, cons
 }
 
 } // namespace
+
+grid::Orientation orientationOf(const grid::BlockSet& blocks)
+{
+	const auto& all = blocks.blocks;
+	const auto is_same = [&](const grid::Block& block)
+	{ return block.imaging.orientation == all.front().imaging.orientation; };
+	return !all.empty() && std::ranges::all_of(all, is_same) ? grid::parseOrientation(all.front().imaging.orientation)
+	                                                         : grid::Orientation{};
+}
 
 std::array<std::string, 4> sidesOf(const probe::Sheet& shown, const grid::Orientation::Patient& patient)
 {

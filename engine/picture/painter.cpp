@@ -1,12 +1,15 @@
 #include "picture/painter.h"
 
+#include "base/frame_scope.h"
 #include "classify/gpu_records.h"
 #include "cut/polygon_generations.h"
 #include "measure/cell_steps.h"
 #include "measure/plane_triangles.h"
+#include "mesh/part_edges.h"
 #include "picture/context_mesh.h"
 #include "picture/contour_drawing.h"
 #include "picture/sheet_values.h"
+#include "probe/presets.h"
 #include "ranks/join/hanging_borders.h"
 #include "ranks/join/whole_cells.h"
 #include "ranks/picture/joined_surfaces.h"
@@ -28,9 +31,9 @@ namespace
 constexpr render::Color kContextColor{194, 199, 206};
 
 // The corners of its window, where it is drawn.
-void addRim(const probe::Sheet& sheet, std::vector<Vec3>& extent)
+void addRim(const probe::Sheet& sheet, const Box& bounds, std::vector<Vec3>& extent)
 {
-	if (!sheet.window)
+	if (!sheet.window || probe::reachesAround(*sheet.window, bounds))
 		return;
 	const probe::Window& window = *sheet.window;
 	for (const double x : {window.x0, window.x1})
@@ -73,6 +76,9 @@ Status Painter::takeBlocks()
 			extent_.push_back(render::corner(session_.blocks().bounds(), i));
 	for (const render::Segment& line : outline_)
 		extent_.insert(extent_.end(), {line.a, line.b});
+	if (const session::TimesSeen* seen = looks_.timesSeen(); seen && !seen->bounds.empty())
+		for (int i = 0; i < 8; ++i)
+			extent_.push_back(render::corner(seen->bounds, i));
 	return makeContext();
 }
 
@@ -104,9 +110,24 @@ Status Painter::setLook(view::ResolvedLook look)
 	const view::ResolvedLook& before = looks_.choice();
 	const bool same_around = look.look.outline == before.look.outline && look.look.box_axes == before.look.box_axes &&
 	                         look.spec.context == before.spec.context;
+	if (look.look.mesh != before.look.mesh)
+		records_.clear(); // which edges are drawn stands in them
 	looks_.setChoice(std::move(look));
+	if (Status seen = looks_.seeTimesIfAsked(); !seen)
+		return seen;
 	camera_.reset();
 	return same_around ? Status(Nothing{}) : takeBlocks();
+}
+
+Status Painter::fitTimes(std::span<const std::size_t> steps)
+{
+	if (Status seen = looks_.seeTimesIfAsked(); !seen || looks_.timesSeen())
+		return seen ? takeBlocks() : seen;
+	auto seen = session::lookAtTimes(session_, steps, shownFields(session_));
+	if (!seen)
+		return seen.error();
+	looks_.setTimesSeen(std::make_shared<session::TimesSeen>(std::move(*seen)));
+	return takeBlocks();
 }
 
 Result<Painter> Painter::create(session::Session& session, view::ResolvedLook look)
@@ -120,6 +141,8 @@ Result<Painter> Painter::create(session::Session& session, view::ResolvedLook lo
 Result<Painter> Painter::create(session::Session& session, view::ResolvedLook look, render::Renderer renderer)
 {
 	Painter painter(session, {session, std::move(look)}, std::move(renderer));
+	if (Status seen = painter.looks_.seeTimesIfAsked(); !seen)
+		return seen.error();
 	if (Status taken = painter.takeBlocks(); !taken)
 		return taken.error();
 	return painter;
@@ -130,10 +153,11 @@ Result<render::Surface> Painter::surfaceOf(const cut::Cut& slice, std::size_t sh
                                            const render::SheetDrawing& drawing,
                                            const std::optional<render::ValueScale>& scale) const
 {
-	const mesh::SheetMesh& mesh = stats.crinkle ? *stats.crinkle : stats.mesh;
+	const grid::BlockSet& blocks = slice.blocksOf(session_.blocks());
+	ShownPolygons shown = shownPolygons(blocks, slice.sheets[sheet], stats, choice().byGeneration());
 	auto polygons = ranks::surfacePolygons(
-	    session_.ranks(), *session_.device(), mesh, stats.crinkle ? stats.crinkle_borders : stats.borders,
-	    sheetValues(slice.blocksOf(session_.blocks()), slice.sheets[sheet], mesh, choice().byGeneration()));
+	    session_.ranks(), *session_.device(), shown.mesh, stats.crinkle ? stats.crinkle_borders : stats.borders,
+	    std::move(shown.values), choice().look.mesh ? mesh::partEdges(blocks, shown.mesh) : mesh::PartEdges{});
 	if (!polygons)
 		return polygons.error();
 	return render::Surface{.polygons = std::move(*polygons),
@@ -158,9 +182,9 @@ void Painter::addContours(const cut::Cut& slice, const std::vector<session::Shee
 		const std::vector<double> levels = render::valueStyle(scene, drawing).lines;
 		if (levels.empty())
 			continue;
-		const auto values =
-		    sheetValues(slice.blocksOf(session_.blocks()), slice.sheets[s], sheets[s].mesh, choice().byGeneration());
-		drawing.contours = render::levelLines(sheets[s].mesh, content, values, levels);
+		const ShownPolygons shown =
+		    shownPolygons(slice.blocksOf(session_.blocks()), slice.sheets[s], sheets[s], choice().byGeneration());
+		drawing.contours = render::levelLines(shown.mesh, content, shown.values, levels);
 	}
 	// Any sheet may hide labels of another.
 	if (std::ranges::any_of(scene.sheets, [](const auto& sheet) { return !sheet.contours.empty(); }))
@@ -176,13 +200,23 @@ Result<std::shared_ptr<const classify::SheetRecords>> Painter::recordsOf(const c
 {
 	const cut::SheetCut& sheet = slice.sheets[number];
 	const bool by_generation = choice().byGeneration();
-	if (sheet.records && !by_generation)
+	const grid::BlockSet& blocks = slice.blocksOf(session_.blocks());
+	const bool is_parted = stats.parts && !by_generation;
+	const mesh::SheetMesh& shown = is_parted                       ? stats.parts->mesh
+	                               : stats.shown && !by_generation ? *stats.shown
+	                                                               : stats.mesh;
+	// Records of the device have all edges.
+	const bool shows_parts = choice().look.mesh && shown.polygons() > 0 && mesh::hasParts(blocks);
+	if (sheet.records && !by_generation && !shows_parts && !is_parted && !stats.shown)
 		return std::shared_ptr<const classify::SheetRecords>(sheet.records);
 	if (const auto known = records_.find(sheet.number); known != records_.end())
 		return known->second;
+	mesh::PartEdges part_edges = shows_parts ? mesh::partEdges(blocks, shown) : mesh::PartEdges{};
 	const mesh::MeshRecords host =
-	    by_generation ? mesh::MeshRecords(sheet.sheet, stats.mesh, cut::polygonGenerations(sheet, stats.mesh))
-	                  : mesh::MeshRecords(slice.blocksOf(session_.blocks()), sheet.sheet, stats.mesh, sheet.field);
+	    by_generation
+	        ? mesh::MeshRecords(sheet.sheet, shown, cut::polygonGenerations(sheet, shown), std::move(part_edges))
+	    : is_parted ? mesh::MeshRecords(sheet.sheet, shown, stats.parts->values, std::move(part_edges))
+	                : mesh::MeshRecords(blocks, sheet.sheet, shown, sheet.field, std::move(part_edges));
 	auto made = classify::recordsFromMesh(pool_, host);
 	if (!made)
 		return made.error();
@@ -252,8 +286,8 @@ Result<render::Scene> Painter::sceneOf(const cut::Cut& slice, const std::vector<
 	const bool has_plane = !slice.sheets.empty() && slice.sheets.front().isPlane();
 	const probe::Sheet* first = has_plane ? &slice.sheets.front().shown : nullptr;
 	if (!slice.sheets.empty() && choice().captions)
-		scene.look.caption =
-		    has_plane ? caption(*first, session_.blocks().bounds()) : cut::surfaceName(slice.sheets.front());
+		scene.look.caption = withTime(session_, has_plane ? caption(*first, session_.blocks().bounds())
+		                                                  : cut::surfaceName(slice.sheets.front()));
 	if (!camera_ || choice().spec.camera.followsSheet())
 	{
 		if (choice().spec.camera.followsSheet() && !has_plane)
@@ -264,7 +298,7 @@ Result<render::Scene> Painter::sceneOf(const cut::Cut& slice, const std::vector<
 		std::vector<Vec3> extent = extent_;
 		if (choice().window_rims)
 			for (const cut::SheetCut& sheet : slice.sheets)
-				addRim(sheet.shown, extent);
+				addRim(sheet.shown, session_.blocks().bounds(), extent);
 		camera_ =
 		    render::makeCamera(choice().spec.camera, by_sheet ? first : nullptr, extent, render::pictureFrame(scene));
 	}
@@ -276,6 +310,7 @@ Result<render::Picture> Painter::draw(const cut::Cut& slice, const std::vector<s
                                       const session::Contours& contours, const std::stop_token& stop)
 {
 	const TimedSection section(session_.timeline(), "render");
+	FrameScope::comesTo(FrameScope::Stop::picture, session_.timeline());
 	Result<render::Scene> scene = sceneOf(slice, sheets, contours);
 	if (!scene)
 		return scene.error();

@@ -30,6 +30,9 @@ public:
 	static Result<Painter> create(session::Session& session, view::ResolvedLook look, render::Renderer renderer);
 	render::Renderer takeRenderer() && { return std::move(renderer_); }
 
+	// From now on the camera shows the grids, and the colors reach over the values, of several times: those given as
+	// indices of BlockSet::times, or all if the look asks for the range of all. To be called before the first picture.
+	Status fitTimes(std::span<const std::size_t> steps);
 	// Sets the look from the next picture on. A camera that the look does not fix is fitted again.
 	Status setLook(view::ResolvedLook look);
 

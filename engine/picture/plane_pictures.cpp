@@ -37,8 +37,10 @@ Result<std::vector<std::string>> writePictures(const session::Session& session, 
 	if (!paths)
 		return paths;
 	const std::vector<render::Segment> outline = render::outlineOf(session.blocks(), look.look.outline);
-	const grid::Orientation orientation = grid::parseOrientation(session.blocks().imaging().orientation);
+	const grid::Orientation orientation = orientationOf(session.blocks());
 	SheetLooks looks(session, look);
+	if (Status seen = looks.seeTimesIfAsked(); !seen)
+		return seen.error();
 	std::vector<render::FlatScene> flats;
 	for (std::size_t s = 0; s < sheets.size(); ++s)
 	{
@@ -54,15 +56,22 @@ Result<std::vector<std::string>> writePictures(const session::Session& session, 
 		flat.scene.outline = outline;
 		flat.scene.bounds = session.blocks().bounds();
 		flat.scene.look = looks.choice().look;
-		flat.scene.look.caption = caption(slice.sheets[s].sheet, *flat.scene.bounds);
+		if (looks.choice().captions)
+			flat.scene.look.caption = withTime(session, caption(slice.sheets[s].sheet, *flat.scene.bounds));
 		flat.camera = look.spec.camera;
 		flat.content = facingSheet(slice.sheets[s].sheet, orientation, session.spec().probe.up.has_value());
 		if (orientation.patient)
 			flat.sides = sidesOf(flat.content, *orientation.patient);
-		flat.mesh = &sheets[s].mesh;
+		const grid::BlockSet& blocks = slice.blocksOf(session.blocks());
+		ShownPolygons shown = sheets[s].crinkle // no part of a flat picture
+		                          ? ShownPolygons{sheets[s].mesh, sheetValues(blocks, slice.sheets[s], sheets[s].mesh,
+		                                                                      look.byGeneration())}
+		                          : shownPolygons(blocks, slice.sheets[s], sheets[s], look.byGeneration());
+		flat.mesh = &shown.mesh;
 		flat.color_steps = write::colorSteps(*write::pictureFormatOf(output));
-		flat.values =
-		    sheetValues(slice.blocksOf(session.blocks()), slice.sheets[s], sheets[s].mesh, look.byGeneration());
+		if (look.look.mesh)
+			flat.part_edges = mesh::partEdges(blocks, shown.mesh);
+		flat.values = std::move(shown.values);
 	}
 	if (Status written = write::writePlanePictures(flats, *paths); !written)
 		return written.error();

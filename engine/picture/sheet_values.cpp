@@ -3,29 +3,8 @@
 #include "cut/polygon_generations.h"
 #include "mesh/mesh_values.h"
 
-#include <limits>
-
 namespace vp::picture
 {
-
-namespace
-{
-
-std::vector<double> polygonValues(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh,
-                                  const grid::FieldChoice& field)
-{
-	std::vector<double> values;
-	values.reserve(mesh.polygons());
-	for (const auto& [b, cell] : mesh.polygon_cells)
-	{
-		const grid::Field* of_block = field.in(blocks.blocks[b]);
-		values.push_back(of_block ? mesh::cellValue(blocks.blocks[b], *of_block, field.component, cell)
-		                          : std::numeric_limits<double>::quiet_NaN());
-	}
-	return values;
-}
-
-} // namespace
 
 render::SheetValues sheetValues(const grid::BlockSet& blocks, const cut::SheetCut& sheet, const mesh::SheetMesh& mesh,
                                 bool by_generation)
@@ -35,10 +14,21 @@ render::SheetValues sheetValues(const grid::BlockSet& blocks, const cut::SheetCu
 	if (!sheet.field)
 		return {};
 	if (sheet.field->association == grid::Association::cell)
-		return {{}, polygonValues(blocks, mesh, *sheet.field)};
+		return {{}, mesh::polygonValues(blocks, mesh, sheet.field->inEach(blocks), sheet.field->component)};
 	const RawVector<double> values =
 	    mesh::vertexValues(blocks, mesh, sheet.field->inEach(blocks), sheet.field->component);
 	return {{values.begin(), values.end()}, {}};
+}
+
+ShownPolygons shownPolygons(const grid::BlockSet& blocks, const cut::SheetCut& sheet, const session::SheetStats& stats,
+                            bool by_generation)
+{
+	if (stats.parts && !by_generation)
+		return {stats.parts->mesh, {{}, stats.parts->values}};
+	const mesh::SheetMesh& mesh = stats.shown && !by_generation ? *stats.shown
+	                              : stats.crinkle               ? *stats.crinkle
+	                                                            : stats.mesh;
+	return {mesh, sheetValues(blocks, sheet, mesh, by_generation)};
 }
 
 } // namespace vp::picture

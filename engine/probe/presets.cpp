@@ -53,6 +53,13 @@ Probe paddlewheel(const Frame& frame, const Box& bounds, int vanes, const std::o
 	return probe;
 }
 
+bool reachesAround(const Window& window, const Box& bounds)
+{
+	constexpr double kRounded = 0.999; // a window that was turned or written to a file is not quite the same
+	const double diagonal = kRounded * bounds.diagonal();
+	return diagonal > 0.0 && window.width() >= diagonal && window.height() >= diagonal;
+}
+
 Probe stack(const Frame& frame, std::span<const double> offsets, const std::optional<WindowSize>& size)
 {
 	assert(!offsets.empty() && offsets.size() <= kMaxSheets);

@@ -33,6 +33,9 @@ Probe trihedral(const Frame& frame, const std::optional<WindowSize>& size = {});
 // bounds.
 Probe paddlewheel(const Frame& frame, const Box& bounds, int vanes = 3, const std::optional<WindowSize>& size = {});
 
+// Returns true for a window as large as that, which reaches around everything. Nobody has chosen where it ends.
+bool reachesAround(const Window& window, const Box& bounds);
+
 // Parallel sheets at these distances along the probe's normal. Windows are centered.
 Probe stack(const Frame& frame, std::span<const double> offsets, const std::optional<WindowSize>& size = {});
 

@@ -43,6 +43,8 @@ public:
 
 	/// Calls may be under way at the same time, and in any order. The calls of several ranks have one order.
 	bool mayCallAtOnce() const { return !team_; }
+	/// This process holds the blocks of all inputs.
+	bool holdsAll() const { return !team_; }
 	/// A device may classify cells. Several processes each cut on their processor.
 	bool mayUseDevice() const { return !team_; }
 	/// Readers build neighbors. A rank of several joins the pieces that it has read first, and builds neighbors then.

@@ -47,6 +47,8 @@ VP_FORMAT("gmsh", ".msh", "Gmsh mesh, versions 1, 2 and 4, text and binary",
 VP_FORMAT("zarr", ".zarr", "Zarr version 2, a folder, of the CF conventions",
           "axes by their attributes; missing and packed values; packed chunks; times; units", "vprobe", folder,
           head.isFolder() && (head.holdsFile(".zgroup") || head.holdsFile(".zarray")), more, Zarr)
+VP_FORMAT("slices", "", "volume in slices: TIFF or PNG files of a folder, or of a pattern in quotes: 'slices/*.tif'",
+          "one array; spacing; units", "libtiff, VTK", folder, head.isOfSlices(), base, Slices)
 VP_FORMAT("amrex", "", "AMReX and BoxLib plot files, a folder", "AMR levels; values at cells; time", "vprobe", folder,
           head.isFolder() && head.holdsFile("Header") && head.holdsFile("Level_0/Cell_H"), base, Amrex)
 // Before TIFF: a file may be both, with a TIFF header in the room that DICOM leaves.

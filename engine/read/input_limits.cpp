@@ -1,5 +1,6 @@
 #include "read/input_limits.h"
 
+#include "base/file_pattern.h"
 #include "read/formats.h"
 
 #include <algorithm>
@@ -70,22 +71,68 @@ Error inputError(const std::string& file, const std::string& reason)
 	return {ErrorKind::input, fmt::format("{}: {}", file, reason)};
 }
 
+InputLimits limitsOf(std::uint64_t bytes)
+{
+	InputLimits limits;
+	// Address space is more than memory: what the libraries map counts even where it is never touched.
+	const std::uint64_t most = std::max(physicalMemory(), kBaseMemory);
+	limits.memory = std::min(most, kBaseMemory + kMemoryPerByte * bytes);
+	limits.follows_size = limits.memory < most;
+	limits.time = kBaseTime + std::chrono::seconds(bytes / kBytesPerSecond);
+	return limits;
+}
+
+Status checkPath(const std::string& file, const fs::file_status& status, const std::error_code& error)
+{
+	if (status.type() == fs::file_type::not_found)
+		return inputError(file, "no such file; check the path");
+	if (error)
+		return inputError(file, fmt::format("cannot be opened: {}", error.message()));
+	if (!fs::is_directory(status) && !fs::is_regular_file(status))
+		return inputError(file, "not a regular file; copy its contents to one");
+	if (access(file.c_str(), R_OK) != 0)
+		return inputError(file, fmt::format("cannot be opened: {}", std::strerror(errno)));
+	return Nothing{};
+}
+
 } // namespace
+
+Result<InputLimits> stackLimits(const std::vector<std::string>& files)
+{
+	std::uint64_t bytes = 0;
+	for (const std::string& file : files)
+	{
+		std::error_code error;
+		const fs::file_status status = fs::status(file, error);
+		if (Status can_be_read = checkPath(file, status, error); !can_be_read)
+			return can_be_read.error();
+		if (fs::is_directory(status))
+			return inputError(file, "a folder among the slices of one volume; name the files in it");
+		const std::uint64_t size = fs::file_size(file, error);
+		if (error || size == 0)
+			return inputError(file, "the file is empty");
+		bytes += size;
+	}
+	return limitsOf(bytes);
+}
+
+InputLimits limitsWithoutFile()
+{
+	return {physicalMemory(), kMaxRefineTime, false};
+}
 
 Result<InputLimits> inputLimits(const std::string& file, const std::string& solution, const std::string& format)
 {
 	const FormatFiles files = filesOf(file, format);
 	std::error_code error;
 	const fs::file_status status = fs::status(file, error);
-	if (status.type() == fs::file_type::not_found)
-		return inputError(file, "no such file; check the path");
-	if (error)
-		return inputError(file, fmt::format("cannot be opened: {}", error.message()));
+	if (isFilePattern(file))
+		return filesOfPattern(file).empty()
+		           ? Result<InputLimits>(inputError(file, "no file has such a name; check the path"))
+		           : limitsOf(bytesBeside(file, FormatFiles::alone));
+	if (Status can_be_read = checkPath(file, status, error); !can_be_read)
+		return can_be_read.error();
 	const bool is_folder = fs::is_directory(status); // a DICOM series or a Zarr store is a folder
-	if (!is_folder && !fs::is_regular_file(status))
-		return inputError(file, "not a regular file; copy its contents to one");
-	if (access(file.c_str(), R_OK) != 0)
-		return inputError(file, fmt::format("cannot be opened: {}", std::strerror(errno)));
 	std::uint64_t bytes = is_folder ? bytesBeside(file, FormatFiles::folder) : fs::file_size(file, error);
 	if (bytes == 0 && !is_folder && files != FormatFiles::folder)
 		return inputError(file, "the file is empty");
@@ -94,14 +141,7 @@ Result<InputLimits> inputLimits(const std::string& file, const std::string& solu
 		bytes = std::max(bytes, bytesBeside(file, files));
 	if (const std::uint64_t more = solution.empty() ? 0 : fs::file_size(solution, error); !error)
 		bytes += more;
-
-	InputLimits limits;
-	// Address space is more than memory: what the libraries map counts even where it is never touched.
-	const std::uint64_t most = std::max(physicalMemory(), kBaseMemory);
-	limits.memory = std::min(most, kBaseMemory + kMemoryPerByte * bytes);
-	limits.follows_size = limits.memory < most;
-	limits.time = kBaseTime + std::chrono::seconds(bytes / kBytesPerSecond);
-	return limits;
+	return limitsOf(bytes);
 }
 
 InputLimits refinedLimits(InputLimits limits, double refine)

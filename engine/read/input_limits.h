@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace vp::read
 {
@@ -21,6 +22,12 @@ struct InputLimits
 // `format`, or, if that is empty, by its name. Returns an error for a path that needs no reader: missing, a folder,
 // unreadable or empty.
 Result<InputLimits> inputLimits(const std::string& file, const std::string& solution, const std::string& format = {});
+
+// The same for files that are slices of one volume.
+Result<InputLimits> stackLimits(const std::vector<std::string>& files);
+
+// The limits for a built-in data set, which the machine alone limits.
+InputLimits limitsWithoutFile();
 
 // The same for a reader that refines this number of levels. Each level makes eight cells of one.
 InputLimits refinedLimits(InputLimits limits, double refine);

@@ -8,6 +8,7 @@
 #include "read/manifest_values.h"
 #include "read/placed_cells.h"
 #include "read/protocol.h"
+#include "read/stored_array.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -27,26 +28,13 @@ using nlohmann::json;
 constexpr std::uint64_t kMaxComponents = 1 << 16;
 constexpr std::size_t kMaxWarnings = 20;
 
-grid::Imaging imagingOf(const json& manifest)
-{
-	const json imaging = manifest.value("imaging", json::object());
-	grid::Imaging result{wordsOf(imaging.value("orientation", json(""))), imaging.value("gray", false)};
-	if (const auto window = imaging.find("window"); window != imaging.end())
-	{
-		if (!window->is_array() || window->size() != 2)
-			throw Unusable("a window of values does not have two ends");
-		const double lo = finiteOf((*window)[0]), hi = finiteOf((*window)[1]);
-		if (!(lo < hi))
-			throw Unusable("a window of values is empty");
-		result.window = {lo, hi};
-	}
-	return result;
-}
-
 class Checker
 {
 public:
-	Checker(const SharedBytes& arrays, const SharedBytes& cells) : arrays_(arrays), cells_(cells) {}
+	Checker(const SharedBytes& arrays, const SharedBytes& cells, ReadableFiles files)
+	    : arrays_(arrays), cells_(cells), files_(std::move(files))
+	{
+	}
 
 	CheckedInput check(const json& manifest)
 	{
@@ -100,9 +88,9 @@ private:
 
 	static void checkParts(const json& manifest, CheckedInput& input)
 	{
+		input.bytes_read = countOf(manifest.value("bytes_read", json(0u)));
 		if (!manifest.contains("parts"))
 			return;
-		input.bytes_read = countOf(manifest.at("bytes_read"));
 		for (const json& whole : manifest.at("wholes"))
 			input.wholes.push_back(whole.is_null()
 			                           ? WholeLattice{}
@@ -273,7 +261,11 @@ private:
 				throw Unusable(fmt::format("the array {} has {} components", field.name, components));
 			field.components = static_cast<int>(components);
 			field.type = numberTypeOf(array.at("type").get<std::string>());
-			field.bytes = bytesOf(arrays_, array, field.type, components * (association == "point" ? points : cells));
+			if (array.contains("stored"))
+				field.stored = storedArray(array.at("stored"), field, checked.mesh, arrays_, files_);
+			else
+				field.bytes =
+				    bytesOf(arrays_, array, field.type, components * (association == "point" ? points : cells));
 			checked.fields.push_back(std::move(field));
 		}
 		return checked;
@@ -297,6 +289,7 @@ private:
 
 	const SharedBytes& arrays_;
 	const SharedBytes& cells_;
+	ReadableFiles files_;
 	std::vector<std::size_t> taken_{}; // places in the manifest of the blocks that have cells
 	std::size_t unplaced_ = 0;         // cells left out, since a point has no place
 	std::string none_placed_{};        // why the last block without cells has none
@@ -350,18 +343,41 @@ Error unusable(const std::string& file, const Error& error)
 	return {ErrorKind::input, fmt::format("{}: truncated or damaged: {}", file, error.message)};
 }
 
-Result<CheckedInput> checkManifest(std::string_view text, const SharedBytes& arrays, const SharedBytes& cells)
+namespace
+{
+
+// A manifest has some eight levels. Millions of brackets would take many times their own memory.
+json parsedManifest(std::string_view text)
+{
+	constexpr int kMaxDepth = 32;
+	const auto limited = [](int depth, json::parse_event_t, json&)
+	{
+		if (depth > kMaxDepth)
+			throw Unusable("the manifest of its arrays is nested too deeply");
+		return true;
+	};
+	return json::parse(text, limited);
+}
+
+} // namespace
+
+Result<CheckedInput> checkManifest(std::string_view text, const SharedBytes& arrays, const SharedBytes& cells,
+                                   const std::string& file, const std::string& follow)
 {
 	try
 	{
-		const json manifest = json::parse(text);
+		const json manifest = parsedManifest(text);
 		if (manifest.at("version") != kProtocolVersion)
 			return Error{ErrorKind::internal, "vprobe-read is of another version; install both together"};
-		return Checker(arrays, cells).check(manifest);
+		return Checker(arrays, cells, {file, follow}).check(manifest);
 	}
 	catch (const Unusable& unusable)
 	{
 		return Error{ErrorKind::input, unusable.what()};
+	}
+	catch (const parts::Unreadable& unreadable)
+	{
+		return Error{ErrorKind::input, unreadable.what()};
 	}
 	catch (const json::exception&)
 	{

@@ -71,7 +71,7 @@ struct CheckedInput
 	std::size_t unplaced = 0;       // cells that were left out, since a point of theirs has no place
 	std::vector<InputPart> parts{}; // if they were asked for
 	std::vector<WholeLattice> wholes{};
-	std::uint64_t bytes_read = 0; // from files, likewise
+	std::uint64_t bytes_read = 0; // from files; 0 if the system does not say
 	std::string sandbox{};        // what held the child
 };
 
@@ -93,6 +93,9 @@ Error unusable(const std::string& file, const Error& error);
 // Checks a manifest and every array in it against the bytes from the child. Nothing is trusted: counts may overflow,
 // arrays may lie outside, ids may point anywhere. Cells with coordinates that are no places are left out, with a
 // warning. The message of the error is only the reason.
-Result<CheckedInput> checkManifest(std::string_view text, const SharedBytes& arrays, const SharedBytes& cells);
+// file: that the child read. Arrays may stay in it; without it, none may. follow: other folders with files that it may
+// name, as the child got them.
+Result<CheckedInput> checkManifest(std::string_view text, const SharedBytes& arrays, const SharedBytes& cells,
+                                   const std::string& file = {}, const std::string& follow = {});
 
 } // namespace vp::read

@@ -1,5 +1,6 @@
 #include "read/manifest_values.h"
 
+#include "base/control_letters.h"
 #include "base/ids.h"
 #include "read/check_mesh.h"
 #include "read/protocol.h"
@@ -8,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <string_view>
 
 namespace vp::read
 {
@@ -45,10 +47,14 @@ Vec3 vectorOf(const json& value)
 
 std::string wordsOf(const json& value)
 {
-	std::string words = value.get<std::string>().substr(0, kMaxWords);
-	for (char& c : words)
-		if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
-			c = ' ';
+	const std::string given = value.get<std::string>().substr(0, kMaxWords);
+	std::string words;
+	for (std::string_view rest = given; !rest.empty();)
+	{
+		const std::size_t control = controlLetter(rest);
+		words += control == 0 ? rest[0] : ' ';
+		rest.remove_prefix(control == 0 ? 1 : control);
+	}
 	return words;
 }
 
@@ -89,6 +95,30 @@ grid::Points coordinatesOf(const SharedBytes& memory, const json& array, std::ui
 	if (checked.size() >= kMaxBlockIds)
 		throw Unusable(fmt::format("a block of {} points is too large; split it", checked.size()));
 	return checked;
+}
+
+grid::Imaging imagingOf(const json& manifest)
+{
+	const json imaging = manifest.value("imaging", json::object());
+	grid::Imaging result{wordsOf(imaging.value("orientation", json(""))), imaging.value("gray", false),
+	                     imaging.value("labels", false)};
+	for (const json& label : imaging.value("label_names", json::array()))
+	{
+		const std::pair<double, std::string> named{finiteOf(label.at(0)), wordsOf(label.at(1))};
+		if (!result.label_names.empty() && !(result.label_names.back().first < named.first))
+			throw Unusable("names of labels are not in order");
+		result.label_names.push_back(named);
+	}
+	if (const auto window = imaging.find("window"); window != imaging.end())
+	{
+		if (!window->is_array() || window->size() != 2)
+			throw Unusable("a window of values does not have two ends");
+		const double lo = finiteOf((*window)[0]), hi = finiteOf((*window)[1]);
+		if (!(lo < hi))
+			throw Unusable("a window of values is empty");
+		result.window = {lo, hi};
+	}
+	return result;
 }
 
 } // namespace vp::read

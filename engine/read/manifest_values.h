@@ -1,6 +1,7 @@
 #pragma once
 
 #include "grid/field.h"
+#include "grid/imaging.h"
 #include "grid/points.h"
 #include "read/mapping.h"
 
@@ -41,5 +42,8 @@ Array<T> numbersOf(const SharedBytes& memory, const nlohmann::json& array, grid:
 }
 
 grid::Points coordinatesOf(const SharedBytes& memory, const nlohmann::json& array, std::uint64_t points = kAnyCount);
+
+// Returns what the manifest says of a picture of the data.
+grid::Imaging imagingOf(const nlohmann::json& manifest);
 
 } // namespace vp::read

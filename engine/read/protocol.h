@@ -7,23 +7,27 @@ namespace vp::read
 {
 
 // The protocol between vprobe-read and its parent. The child is started as
-//   vprobe-read TIME SOLUTION REFINE DISPLACE PATCHES THREADS ARRAYS FORMAT RAW TARGET FOLDER PARTS SANDBOX FOLLOW FILE
+//   vprobe-read TIME SOLUTION REFINE DISPLACE PATCHES THREADS ARRAYS FORMAT RAW TARGET FOLDER PARTS SANDBOX FOLLOW
+//   STAYS UNPACK FILE [SLICE...]
 // TIME: last, first, a number, or # and an index. SOLUTION: empty or a PLOT3D q file. REFINE: how many times the linear
-// parts of curved cells are halved, or a tolerance, which leaves these cells curved. DISPLACE: factor for Exodus
-// displacements, 0 for none. PATCHES: 1 to read named parts of the boundary, else 0. THREADS: the maximum number of
-// threads. ARRAYS: the wanted arrays, one a line: "*" for all, "^" for the default array, "=" and a name for one.
-// FORMAT: a name of format_table.inl, or empty. RAW: the layout of a raw volume (rawText()), or empty. TARGET and
-// FOLDER: of convert(), or empty; the child writes into this folder and nowhere else. PARTS: empty for all, "?" to list
-// them, or their numbers with commas between; behind that, "/" and into how many slabs a lattice comes apart that is
-// alone in its file. SANDBOX: auto, require or off. FOLLOW: folders with files that the input may name, one a line, or
-// "anywhere". The child writes arrays into two shared memories, each array at a multiple of kArrayAlignment.
-// kCellsFd gets the points and cells of unstructured blocks, which nobody needs after the grid is built, kArraysFd
-// everything else. A JSON manifest that describes them goes to kManifestFd:
+// parts of curved cells are halved, or a tolerance, which leaves these cells curved. DISPLACE: a factor
+// for displacements, and behind a blank the name of their array if it is given; empty for none. PATCHES: 1 to read
+// named parts of the boundary, else 0. THREADS: the maximum number of threads. ARRAYS: the wanted arrays, one a line:
+// "*" for all, "^" for the default array, "=" and a name for one. FORMAT: a name of format_table.inl, or empty. RAW:
+// the layout of a raw volume (rawText()), or empty. TARGET and FOLDER: of convert(), or empty; the child writes into
+// this folder and nowhere else. PARTS: empty for all, "?" to list them, or their numbers with commas between; behind
+// that, "/" and into how many slabs a lattice comes apart that is alone in its file. SANDBOX: auto, require or off.
+// FOLLOW: folders with files that the input may name, one a line, or "anywhere". STAYS: arrays of more bytes than this
+// may stay in the file; empty if none may. UNPACK: empty, see below. SLICE: where several
+// files are the slices of one volume, all of them in their order; FILE is the first. The child writes arrays into two
+// shared memories, each array at a multiple of kArrayAlignment. kCellsFd gets the points and cells of unstructured
+// blocks, which nobody needs after the grid is built, kArraysFd everything else. A JSON manifest that describes them
+// goes to kManifestFd:
 //
-//   {"version", "times": [..], "left_out": cells, "warnings": [..], "files": those that were read, "blocks": [{"name",
-//   "kind", "arrays": [..], ..}],
+//   {"version", "times": [..], "left_out": cells, "warnings": [..], "files": those that were read, "bytes_read": by the
+//   child from files, "blocks": [{"name", "kind", "arrays": [..], ..}],
 //    "patches": [{"name", "coordinates": array, "starts": array, "corners": array}]},
-//   "patches" only on request; where PARTS is not empty, "bytes_read": by the child from files, "parts": [{"cells",
+//   "patches" only on request; where PARTS is not empty, "parts": [{"cells",
 //   "block"}] and "wholes": null or {"kind",
 //   "points"} for each block that the parts are of; blocks have a "part", and there may be none
 //   image         "points": [nx, ny, nz], "origin": [..], "spacing": [..]
@@ -35,14 +39,28 @@ namespace vp::read
 //                 "points": [nx, ny, nz] where points and cells, hidden ones too, are those of a lattice
 //
 // An array is {"type": "float32" ..., "offset", "bytes"}. In "arrays" it also has "name", "association", "components"
-// and, if the file has them, "units". An array that nobody asked for has "left_out": true and no place. The manifest
+// and, if the file has them, "units". An array that nobody asked for has "left_out": true and no place. An array of a
+// lattice that stays in the file has no place either, but "stored": {"file", "part": items of a part along i, j, k,
+// "swaps": whether its bytes are in the other order, and either "offset", or "offsets": array of uint64 with the offset
+// for each part, ~0 for one that was never written, and "fill": array of uint8 with an item for those}. If
+// parts are packed it has "filters" (Hdf5Filters::text()), and for each part as array of uint64 "sizes", its bytes in
+// the file, and "left_out_filters", where bit n is set if it was not packed by filter n. Or it has "reader" in
+// place of all these: then the reader finds parts by their numbers. The manifest
 // has "length_units" and "time_units" if the file has them; "sandbox" says what holds the child ("landlock 7,
-// seccomp"); "imaging" is {"orientation", "gray", "window"}, each if the file says it (grid/imaging.h).
-constexpr int kProtocolVersion = 10;
+// seccomp"); "imaging" is {"orientation", "gray", "labels", "label_names": [[value, name]..], "window"}, each if the
+// file says it (grid/imaging.h).
+//
+// With UNPACK the child stays and unpacks parts of an array that stays in FILE, until its standard input ends. UNPACK
+// is the size of each part, a blank and the filters or the "reader". A request is the number of parts as a uint64 on
+// standard input; kCellsFd then has three uint64 for each of them: offset, size, left out filters, or its number and
+// two zeros. The parts go to kArraysFd, one behind the other from its beginning, and when all are there, their number
+// as a uint64 to kManifestFd.
+constexpr int kProtocolVersion = 14;
 constexpr int kArraysFd = 3;
 constexpr int kManifestFd = 4;
 constexpr int kCellsFd = 5;
 constexpr int kCountsFd = 6; // the child's own: /proc/self/io, which its sandbox does not let it open later
+constexpr int kLifeFd = 7;   // a pipe of which the parent holds the other end; the child is killed when that closes
 constexpr std::size_t kArrayAlignment = 64;
 
 // If a child gives up, it ends with one of these exit codes, and its last line on standard error starts with this mark.

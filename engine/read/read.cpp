@@ -2,12 +2,11 @@
 
 #include "base/messages.h"
 #include "base/timeline.h"
+#include "grid/curved/cells_to_points.h"
 #include "grid/demo/demo.h"
 #include "read/build_block.h"
-#include "read/child.h"
 #include "read/geometry.h"
-#include "read/input_limits.h"
-#include "read/sandbox.h"
+#include "read/read_ahead.h"
 #include "read/series.h"
 
 #include <fmt/format.h>
@@ -23,43 +22,6 @@ namespace vp::read
 namespace
 {
 
-constexpr std::string_view kDemoPrefix = "demo:";
-
-// Returns the file of an input that is read at the time of the options; an input that is no series is itself.
-std::string fileOf(const std::string& input, const ReadOptions& options)
-{
-	const std::optional<FileSeries> series = parseSeries(input);
-	return series ? series->files[timeIndex(series->times, options.time)] : input;
-}
-
-Result<CheckedInput> readChecked(const std::string& input, const ReadOptions& given, Timeline* timeline)
-{
-	TimedSection timed(timeline, "read");
-	const std::optional<FileSeries> series = parseSeries(input);
-	const std::string file = fileOf(input, given);
-	ReadOptions options = given;
-	if (series && given.time.kind == TimeChoice::Kind::index && given.time.index >= series->times.size())
-		return Error{ErrorKind::input, fmt::format("`time` #{}: the series has {} times, #0 to #{}", given.time.index,
-		                                           series->times.size(), series->times.size() - 1)};
-	if (series)
-		options.time = {};
-	Result<InputLimits> limits = inputLimits(file, options.solution, options.format);
-	if (!limits)
-		return limits.error();
-	*limits = refinedLimits(*limits, options.refine);
-	const Result<HandedOver> handed = runReader(file, options, *limits);
-	if (!handed)
-		return handed.error();
-	Result<CheckedInput> checked = checkManifest(handed->manifest, handed->arrays, handed->cells);
-	if (!checked)
-		return unusable(file, checked.error());
-	noteFiles(*checked);
-	noteSandbox(checked->sandbox);
-	if (series)
-		checked->times = series->times;
-	return checked;
-}
-
 struct PartsRead
 {
 	std::vector<std::size_t> of_block; // the number of the part that each block is of
@@ -67,13 +29,13 @@ struct PartsRead
 };
 
 // parts: or null.
-Result<grid::BlockSet> readFile(const std::string& file, const ReadOptions& options, Timeline* timeline,
-                                PartsRead* parts)
+Result<grid::BlockSet> readFile(ReadAhead& inputs, Timeline* timeline, PartsRead* parts)
 {
-	Result<CheckedInput> input = readChecked(file, options, timeline);
+	const ReadOptions options = inputs.next().options;
+	const std::string name_of_file = fileOf(inputs.next().input, options);
+	Result<CheckedInput> input = inputs.read(timeline);
 	if (!input)
 		return input.error();
-	const std::string name_of_file = fileOf(file, options);
 	for (const std::string& warning : input->warnings)
 		warn("{}: {}", name_of_file, warning);
 
@@ -102,11 +64,17 @@ Result<grid::BlockSet> readFile(const std::string& file, const ReadOptions& opti
 	return set;
 }
 
-Result<grid::BlockSet> readInput(const std::string& input, const ReadOptions& options, Timeline* timeline,
-                                 PartsRead* parts = nullptr)
+// Reads the next of the inputs.
+Result<grid::BlockSet> readInput(ReadAhead& inputs, Timeline* timeline, PartsRead* parts = nullptr)
 {
+	const std::string input = inputs.next().input;
 	if (!input.starts_with(kDemoPrefix))
-		return readFile(input, options, timeline, parts);
+		return readFile(inputs, timeline, parts);
+	if (inputs.next().options.displace != 0.0)
+		return Error{ErrorKind::usage, fmt::format("`displace`: {} is built in and has no displacements; leave the "
+		                                           "setting out, or name a file",
+		                                           input)};
+	inputs.skip();
 	TimedSection timed(timeline, "build");
 	return grid::parseDemo(std::string_view(input).substr(kDemoPrefix.size()), false);
 }
@@ -210,6 +178,22 @@ void completeSet(grid::BlockSet& all, const ReadOptions& options, Timeline* time
 	}
 }
 
+Status moveToPoints(const std::vector<std::string>& inputs, const ReadOptions& options, grid::BlockSet& all,
+                    Timeline* timeline)
+try
+{
+	if (!options.cell_to_point)
+		return Nothing{};
+	TimedSection timed(timeline, "build");
+	for (grid::Block& block : all.blocks)
+		grid::replaceFields(block, grid::fieldsAtPoints(block, std::move(block.fields)));
+	return Nothing{};
+}
+catch (const grid::WrongPoint& wrong)
+{
+	return Error{ErrorKind::input, fmt::format("{}: {}", fmt::join(inputs, ", "), wrong.what())};
+}
+
 } // namespace
 
 Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const ReadOptions& options,
@@ -217,11 +201,15 @@ Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const 
 {
 	grid::BlockSet all;
 	std::vector<std::string> empty; // partitions, mostly
-	for (const std::string& input : inputs)
+	ReadAhead ahead(inputs, options);
+	for (std::size_t number = 0; number < inputs.size(); ++number)
 	{
-		Result<grid::BlockSet> set = readInput(input, options, timeline);
+		const std::string& input = inputs[number];
+		Result<grid::BlockSet> set = readInput(ahead, timeline);
 		if (!set)
 			return set.error();
+		for (grid::Block& block : set->blocks)
+			block.input = static_cast<std::uint32_t>(number);
 		if (options.stop.stop_requested())
 			return stopped(fileOf(input, options));
 		if (set->blocks.empty())
@@ -234,6 +222,8 @@ Result<grid::BlockSet> readInputs(const std::vector<std::string>& inputs, const 
 	for (const std::string& input : empty)
 		warn("{}: it holds no cells and is left out", input);
 	completeSet(all, options, timeline);
+	if (Status moved = moveToPoints(inputs, options, all, timeline); !moved)
+		return moved.error();
 	return all;
 }
 
@@ -242,18 +232,19 @@ Result<PartList> listParts(const std::vector<std::string>& inputs, const ReadOpt
 	PartList list;
 	ReadOptions listing = options;
 	listing.parts = fmt::format("?/{}", options.slabs);
+	ReadAhead ahead(inputs, listing);
 	for (std::size_t i = 0; i < inputs.size(); ++i)
 	{
 		if (inputs[i].starts_with(kDemoPrefix))
 		{
-			const Result<grid::BlockSet> set = readInput(inputs[i], options, timeline);
+			const Result<grid::BlockSet> set = readInput(ahead, timeline);
 			if (!set)
 				return set.error();
 			list.parts.push_back({i, 0, set->cellCount(), list.blocks.size()});
 			list.blocks.emplace_back();
 			continue;
 		}
-		const Result<CheckedInput> input = readChecked(inputs[i], listing, timeline);
+		const Result<CheckedInput> input = ahead.read(timeline);
 		if (!input)
 			return input.error();
 		list.bytes_read += input->bytes_read;
@@ -270,9 +261,10 @@ Result<PartBlocks> readParts(const std::vector<std::string>& inputs, const std::
                              const ReadOptions& options, Timeline* timeline)
 {
 	PartBlocks read;
+	std::vector<InputToRead> wanted;
+	std::vector<std::vector<Part>> of_wanted;
 	for (std::size_t i = 0; i < inputs.size(); ++i)
 	{
-		ReadOptions reading = options;
 		std::vector<std::size_t> numbers;
 		std::vector<Part> of_input;
 		for (const Part& part : parts)
@@ -283,9 +275,15 @@ Result<PartBlocks> readParts(const std::vector<std::string>& inputs, const std::
 			}
 		if (numbers.empty())
 			continue;
-		reading.parts = fmt::format("{}/{}", fmt::join(numbers, ","), options.slabs);
+		wanted.push_back({inputs[i], options});
+		wanted.back().options.parts = fmt::format("{}/{}", fmt::join(numbers, ","), options.slabs);
+		of_wanted.push_back(std::move(of_input));
+	}
+	ReadAhead ahead(std::move(wanted));
+	for (const std::vector<Part>& of_input : of_wanted)
+	{
 		PartsRead found;
-		Result<grid::BlockSet> set = readInput(inputs[i], reading, timeline, &found);
+		Result<grid::BlockSet> set = readInput(ahead, timeline, &found);
 		if (!set)
 			return set.error();
 		read.bytes_read += found.bytes_read;
@@ -303,11 +301,12 @@ Result<std::optional<BlockFields>> readFields(const std::vector<std::string>& in
 {
 	const std::optional<BlockFields> none;
 	BlockFields fields;
+	ReadAhead ahead(inputs, options);
 	for (const std::string& input : inputs)
 	{
 		if (input.starts_with(kDemoPrefix))
 			return none;
-		Result<CheckedInput> read = readChecked(input, options, timeline);
+		Result<CheckedInput> read = ahead.read(timeline);
 		if (!read)
 			return read.error();
 		for (CheckedBlock& block : read->blocks)
@@ -317,7 +316,11 @@ Result<std::optional<BlockFields>> readFields(const std::vector<std::string>& in
 			fields.push_back(std::move(block.fields));
 		}
 	}
-	return fields.size() == set.blocks.size() ? std::optional(std::move(fields)) : none;
+	if (fields.size() != set.blocks.size())
+		return none;
+	for (std::size_t b = 0; options.cell_to_point && b < fields.size(); ++b)
+		fields[b] = grid::fieldsAtPoints(set.blocks[b], std::move(fields[b]));
+	return std::optional(std::move(fields));
 }
 
 Result<bool> readValues(const std::vector<std::string>& inputs, const ReadOptions& options, grid::BlockSet& set,

@@ -66,8 +66,9 @@ struct ReadOptions
 	// Curved cells are cut into linear ones over their own points. Each level halves the edges of these once more. A
 	// tolerance (isTolerance()) keeps them as they are, and cuts refine them (grid/curved_cells.h).
 	double refine = 0.0;
-	double displace = 0.0; // moves the points of Exodus files by their displacements times this factor
-	bool patches = false;  // reads named parts of the boundary: OpenFOAM patches, Exodus side sets
+	double displace = 0.0;     // moves the points by their displacements times this factor
+	std::string displace_by{}; // the point array of displacements; if empty, its name tells
+	bool patches = false;      // reads named parts of the boundary: OpenFOAM patches, Exodus side sets
 	// If false and all blocks are unstructured, they stay listed (grid/unstructured.h), their seams are not matched,
 	// and the caller may call grid::buildNeighbors(). It has no effect with patches, which need boundary faces.
 	bool builds_neighbors = true;
@@ -76,8 +77,9 @@ struct ReadOptions
 	bool for_one_cut = false;
 	std::stop_token stop{}; // on a stop request, reading ends with an error
 	ArrayWish arrays{};
-	std::string format{}; // a name in formats(); if empty, the file's contents and name tell
-	RawLayout raw{};      // layout of files that hold nothing but values; they need one
+	std::string format{};              // a name in formats(); if empty, the file's contents and name tell
+	std::vector<std::string> slices{}; // files that are slices of one volume, whose first one is read; mostly empty
+	RawLayout raw{};                   // layout of files that hold nothing but values; they need one
 	// The parts of a file to read, as their numbers in PartList with commas between; empty: all. "?" reads none and
 	// only lists them.
 	std::string parts{};
@@ -87,6 +89,12 @@ struct ReadOptions
 	// Only for convert(): the file that is written as well, and the folder that it is written into.
 	std::string convert_to{};
 	std::string convert_folder{};
+	// Arrays of images and rectilinear grids of more bytes than this stay in their file where that has them unpacked,
+	// and are read part by part where they are cut (grid::Field::stored). Nothing: none do.
+	std::optional<std::uint64_t> stays_above{};
+	std::string unpack{};              // only for Unpacker: what it unpacks, and nothing else (protocol.h)
+	std::vector<std::string> follow{}; // folders with files that the inputs may name, or "anywhere"; see setFollow()
+	bool cell_to_point = false;        // arrays of cells become arrays of points (grid/curved/cells_to_points.h)
 	// Computes Block::geometry, which readFields() and readValues() compare. Without it they take the grids for
 	// different.
 	bool identifies_geometry = true;

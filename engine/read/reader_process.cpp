@@ -1,8 +1,10 @@
 #include "read/reader_process.h"
 
+#include "base/sanitized.h"
 #include "read/protocol.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <climits>
 #include <csignal>
@@ -33,17 +35,7 @@ constexpr std::size_t kKeptErrorBytes = 4096;
 constexpr long long kLongestWait = 100;
 
 // Sanitizers reserve terabytes of address space.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kLimitAddressSpace = false;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-constexpr bool kLimitAddressSpace = false;
-#else
-constexpr bool kLimitAddressSpace = true;
-#endif
-#else
-constexpr bool kLimitAddressSpace = true;
-#endif
+constexpr bool kLimitAddressSpace = !kSanitized;
 
 void take(Descriptor& pipe, std::string& text)
 {
@@ -53,6 +45,20 @@ void take(Descriptor& pipe, std::string& text)
 		text.append(buffer.data(), static_cast<std::size_t>(n));
 	else if (n == 0 || errno != EINTR)
 		pipe.reset();
+}
+
+// The system kills this process, and what it starts, when the other end of the pipe closes: at the latest when the
+// parent ends. PR_SET_PDEATHSIG kills it when the thread ends that started it, so it serves only where there is no such
+// signal.
+void endWithPipe(int pipe, pid_t parent)
+{
+	const bool is_asked = fcntl(pipe, F_SETSIG, SIGKILL) == 0 && fcntl(pipe, F_SETOWN, -getpgrp()) == 0 &&
+	                      fcntl(pipe, F_SETFL, O_ASYNC) == 0;
+	if (!is_asked)
+		prctl(PR_SET_PDEATHSIG, SIGKILL);
+	pollfd closed = {pipe, 0, 0};
+	if (getppid() != parent || poll(&closed, 1, 0) != 0)
+		_exit(127);
 }
 
 } // namespace
@@ -74,21 +80,22 @@ Pipe makePipe()
 void becomeReader(const ChildSetup& setup)
 {
 	setpgid(0, 0); // so that whatever it starts can be ended with it
-	prctl(PR_SET_PDEATHSIG, SIGKILL);
-	if (getppid() != setup.parent)
-		_exit(127);
-	dup2(setup.null, STDIN_FILENO);
+	dup2(setup.requests, STDIN_FILENO);
 	dup2(setup.null, STDOUT_FILENO);
 	dup2(setup.errors, STDERR_FILENO);
 	dup2(setup.arrays, kArraysFd);
 	dup2(setup.manifest, kManifestFd);
 	dup2(setup.cells, kCellsFd);
-	close_range(kCellsFd + 1, UINT_MAX, 0);
+	dup2(setup.life, kLifeFd);
+	close_range(kCellsFd + 1, kLifeFd - 1, 0);
+	close_range(kLifeFd + 1, UINT_MAX, 0);
+	endWithPipe(kLifeFd, setup.parent);
 
 	const rlimit none = {0, 0};
 	setrlimit(RLIMIT_CORE, &none);
 	setrlimit(RLIMIT_CPU, &setup.time);
 	setrlimit(RLIMIT_FSIZE, &setup.file_size);
+	setrlimit(RLIMIT_NOFILE, &setup.files);
 	if (kLimitAddressSpace)
 		setrlimit(RLIMIT_AS, &setup.memory);
 	// Where memory runs out after all, this process is the one to go.
@@ -102,11 +109,29 @@ void becomeReader(const ChildSetup& setup)
 	sigemptyset(&no_signals);
 	sigprocmask(SIG_SETMASK, &no_signals, nullptr);
 	std::signal(SIGPIPE, SIG_DFL);
-	execve(setup.program, setup.arguments.data(), setup.environment);
+	execve(setup.program, setup.arguments, setup.environment);
 	const char* why = std::strerror(errno);
 	if (write(STDERR_FILENO, why, std::strlen(why)) < 0)
 		_exit(127);
 	_exit(127);
+}
+
+Reader::Reader(pid_t pid, Descriptor manifest, Descriptor errors, std::chrono::seconds time)
+    : pid_(pid), parent_(getpid()), manifest_pipe_(std::move(manifest)), error_pipe_(std::move(errors))
+{
+	startAnew(time);
+}
+
+Reader::~Reader()
+{
+	if (!ended_ && getpid() == parent_)
+		end();
+}
+
+void Reader::startAnew(std::chrono::seconds time)
+{
+	deadline_ = Clock::now() + time;
+	waited_before_ = waitedForProcessor();
 }
 
 // A program on a busy machine may wait longer for a processor than it runs. 0 where the system does not tell.
@@ -117,37 +142,65 @@ std::chrono::nanoseconds Reader::waitedForProcessor() const
 	return std::chrono::nanoseconds(about >> ran >> waited ? waited : 0);
 }
 
-bool Reader::isLate(Clock::time_point deadline) const
+bool Reader::isLate() const
 {
 	const auto now = Clock::now();
-	return now > deadline && now > deadline + waitedForProcessor();
+	return now > deadline_ && now > deadline_ + (waitedForProcessor() - waited_before_);
 }
 
-bool Reader::finish(Clock::time_point deadline, const std::stop_token& stop)
+bool Reader::mayGoOn(const std::stop_token& stop) const
+{
+	return !isLate() && !wroteTooMuch() && !stop.stop_requested();
+}
+
+void Reader::takeWhatComes()
+{
+	std::array<pollfd, 2> ready = {pollfd{manifest_pipe_.get(), POLLIN, 0}, pollfd{error_pipe_.get(), POLLIN, 0}};
+	const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline_ - Clock::now()).count();
+	poll(ready.data(), ready.size(),
+	     static_cast<int>(left > 0 ? std::min<long long>(left, kLongestWait) : kLongestWait));
+	if (ready[0].revents)
+		take(manifest_pipe_, manifest);
+	if (ready[1].revents)
+	{
+		take(error_pipe_, errors);
+		if (errors.size() > 2 * kKeptErrorBytes)
+			errors.erase(0, errors.size() - kKeptErrorBytes);
+	}
+}
+
+Reader::Answer Reader::answer(std::span<std::byte> to, const std::stop_token& stop)
+{
+	while (manifest.size() < to.size())
+	{
+		if (!mayGoOn(stop))
+		{
+			end();
+			return Answer::late;
+		}
+		takeWhatComes();
+		if (!manifest_pipe_ && manifest.size() < to.size())
+			return finish(stop) ? Answer::ended : Answer::late;
+	}
+	std::memcpy(to.data(), manifest.data(), to.size());
+	manifest.erase(0, to.size());
+	return Answer::whole;
+}
+
+bool Reader::finish(const std::stop_token& stop)
 {
 	while (manifest_pipe_ || error_pipe_)
 	{
-		std::array<pollfd, 2> ready = {pollfd{manifest_pipe_.get(), POLLIN, 0}, pollfd{error_pipe_.get(), POLLIN, 0}};
-		const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
-		if (isLate(deadline) || wroteTooMuch() || stop.stop_requested())
+		if (!mayGoOn(stop))
 		{
 			end();
 			return false;
 		}
-		poll(ready.data(), ready.size(),
-		     static_cast<int>(left > 0 ? std::min<long long>(left, kLongestWait) : kLongestWait));
-		if (ready[0].revents)
-			take(manifest_pipe_, manifest);
-		if (ready[1].revents)
-		{
-			take(error_pipe_, errors);
-			if (errors.size() > 2 * kKeptErrorBytes)
-				errors.erase(0, errors.size() - kKeptErrorBytes);
-		}
+		takeWhatComes();
 	}
 	while (!hasEnded())
 	{
-		if (isLate(deadline) || stop.stop_requested())
+		if (isLate() || stop.stop_requested())
 		{
 			end();
 			return false;

@@ -2,8 +2,9 @@
 
 #include "read/mapping.h"
 
-#include <array>
 #include <chrono>
+#include <cstddef>
+#include <span>
 #include <stop_token>
 #include <string>
 
@@ -28,43 +29,49 @@ Pipe makePipe();
 struct ChildSetup
 {
 	const char* program;
-	std::array<char*, 17> arguments; // ends with null
-	char* const* environment;        // likewise
+	char* const* arguments;   // ends with null
+	char* const* environment; // likewise
 	int null;
+	int requests; // what it has as standard input
 	int errors;
 	int arrays;
 	int manifest;
 	int cells;
+	int life; // the end of a pipe; the parent keeps the other one as long as it wants the child to live
 	pid_t parent;
 	rlimit memory;
 	rlimit file_size;
 	rlimit time;
+	rlimit files;
 };
 
 // Runs in the child after fork. If the program cannot be started, writes the reason to standard error and ends with
 // exit code 127.
 [[noreturn]] void becomeReader(const ChildSetup& setup);
 
-// The child and its two pipes, until it has ended.
+// The child and its two pipes, until it has ended. Whoever forks this process leaves the child to it.
 class Reader
 {
 public:
-	Reader(pid_t pid, Descriptor manifest, Descriptor errors)
-	    : pid_(pid), manifest_pipe_(std::move(manifest)), error_pipe_(std::move(errors))
-	{
-	}
-	~Reader()
-	{
-		if (!ended_)
-			end();
-	}
+	// time: how long it may take, without that in which it waited for a processor.
+	Reader(pid_t pid, Descriptor manifest, Descriptor errors, std::chrono::seconds time);
+	~Reader();
 	Reader(const Reader&) = delete;
 	Reader& operator=(const Reader&) = delete;
 
+	// The time counts from now on.
+	void startAnew(std::chrono::seconds time);
 	// Reads what the child writes until both pipes are closed and it has ended. Kills the child and returns false if
-	// the time is over, without that in which it waited for a processor, if it writes too much, or if somebody asks it
-	// to stop.
-	bool finish(std::chrono::steady_clock::time_point deadline, const std::stop_token& stop = {});
+	// the time is over, if it writes too much, or if somebody asks it to stop.
+	bool finish(const std::stop_token& stop);
+	// Reads so many bytes from a child that stays. If it does not stay, ends as finish() does.
+	enum class Answer
+	{
+		whole,
+		ended,
+		late
+	};
+	Answer answer(std::span<std::byte> to, const std::stop_token& stop);
 	bool wroteTooMuch() const;
 
 	std::string manifest;
@@ -72,12 +79,17 @@ public:
 	int status = 0;     // from waitpid()
 
 private:
+	bool mayGoOn(const std::stop_token& stop) const;
+	void takeWhatComes();
 	bool hasEnded() const;
-	bool isLate(std::chrono::steady_clock::time_point deadline) const;
+	bool isLate() const;
 	std::chrono::nanoseconds waitedForProcessor() const;
 	void end();
 
 	pid_t pid_;
+	pid_t parent_;
+	std::chrono::steady_clock::time_point deadline_{};
+	std::chrono::nanoseconds waited_before_{0}; // for a processor, when the time began to count
 	bool ended_ = false;
 	Descriptor manifest_pipe_;
 	Descriptor error_pipe_;

@@ -1,6 +1,8 @@
 #include "read/sandbox.h"
 
 #include "base/messages.h"
+#include "read/child.h"
+#include "read/manifest.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <filesystem>
 #include <mutex>
 #include <optional>
 #include <sstream>
@@ -87,9 +90,17 @@ void setFollow(std::vector<std::string> folders)
 	sandboxState().follow = std::move(folders);
 }
 
-std::string followArgument()
+Status checkFollow(const std::string& folder)
 {
-	std::vector<std::string> folders;
+	std::error_code unknown;
+	if (folder == "anywhere" || std::filesystem::is_directory(folder, unknown))
+		return Nothing{};
+	return Error{ErrorKind::usage, folder + ": no such folder; name one, or anywhere"};
+}
+
+std::string followArgument(const std::vector<std::string>& more)
+{
+	std::vector<std::string> folders = more;
 	if (const char* set = std::getenv("VPROBE_FOLLOW"))
 		for (std::istringstream all(set); std::getline(all, folders.emplace_back(), ':');)
 		{
@@ -120,6 +131,15 @@ void noteSandbox(std::string_view held)
 	warn("the reader's sandbox is not complete on this system ({}): open only files that you trust, or use Linux 5.13 "
 	     "or newer with Landlock",
 	     held);
+}
+
+Result<std::string> tryOutSandbox()
+{
+	const Result<HandedOver> handed = runReader("demo:shell:1", {}, limitsWithoutFile());
+	if (!handed)
+		return handed.error();
+	const Result<CheckedInput> checked = checkManifest(handed->manifest, handed->arrays, handed->cells);
+	return checked ? Result<std::string>(checked->sandbox) : checked.error();
 }
 
 std::string sandboxText()

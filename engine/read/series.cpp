@@ -1,12 +1,17 @@
 #include "read/series.h"
 
+#include "base/file_pattern.h"
 #include "base/messages.h"
+#include "read/formats.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
+#include <filesystem>
+#include <fstream>
 #include <numeric>
 #include <string_view>
 
@@ -17,7 +22,11 @@ namespace
 {
 
 constexpr std::string_view kSeriesPrefix = "series:";
+constexpr std::string_view kStackPrefix = "stack:";
 constexpr std::string_view kDemo = "demo:";
+// Readers say the first of a slice that is read alone, and the second of a file that is more than a slice.
+constexpr std::string_view kNoCells = "it holds no three-dimensional cells";
+constexpr std::string_view kHasPages = " pages, and a slice has one";
 constexpr char kEnd = '\0'; // ends names of files and times, since no name holds it
 
 bool isDigit(char c)
@@ -102,6 +111,39 @@ Result<std::optional<std::vector<double>>> timesInFiles(const std::vector<std::s
 	return is_clear ? std::optional(std::move(times)) : std::nullopt;
 }
 
+std::vector<std::string> asStack(std::vector<std::string> inputs)
+{
+	if (const std::optional<std::vector<double>> numbers = numbersOfNames(inputs))
+		inputs = inOrder(inputs, *numbers).files;
+	return {stackInput(inputs)};
+}
+
+// Returns true for a file of DICOM. One slice stands for its whole series.
+bool isDicom(const std::string& file)
+{
+	const Format* format = formatOfEnding(file);
+	std::error_code error;
+	if (!std::filesystem::is_regular_file(file, error))
+		return false;
+	std::array<char, 4> mark{};
+	std::ifstream in(file, std::ios::binary);
+	in.seekg(128).read(mark.data(), mark.size());
+	return (format && format->name == "dicom") || std::string_view(mark.data(), mark.size()) == "DICM";
+}
+
+// Returns true if the files are slices of one volume, by the first two of them.
+bool areSlices(const std::vector<std::string>& files, const ReadOptions& options)
+{
+	const Result<FileFacts> both = factsOf(stackInput({files[0], files[1]}), options);
+	if (both)
+		return true;
+	const std::string& why = both.error().message;
+	if (isDicom(files[0]))
+		return why.ends_with(kNoCells); // two pictures of one place are times of a slice
+	// If anything else is wrong with a picture, reading all of them tells it.
+	return isPictureName(files[0]) && why.find(kHasPages) == std::string::npos;
+}
+
 Result<std::vector<std::string>> asSeries(const std::vector<std::string>& inputs, const std::vector<FileFacts>& known,
                                           const ReadOptions& options)
 {
@@ -171,6 +213,27 @@ std::string seriesInput(const FileSeries& series)
 	return input;
 }
 
+std::string stackInput(const std::vector<std::string>& files)
+{
+	std::string input(kStackPrefix);
+	for (const std::string& file : files)
+		input += file + kEnd;
+	return input;
+}
+
+std::vector<std::string> parseStack(const std::string& input)
+{
+	if (!input.starts_with(kStackPrefix) || !input.ends_with(kEnd))
+		return {};
+	std::vector<std::string> files;
+	for (std::string_view rest = std::string_view(input).substr(kStackPrefix.size()); !rest.empty();)
+	{
+		files.emplace_back(rest.substr(0, rest.find(kEnd)));
+		rest.remove_prefix(files.back().size() + 1);
+	}
+	return files;
+}
+
 std::optional<FileSeries> parseSeries(const std::string& input)
 {
 	if (!input.starts_with(kSeriesPrefix) || !input.ends_with(kEnd))
@@ -192,29 +255,63 @@ std::optional<FileSeries> parseSeries(const std::string& input)
 	return series;
 }
 
-Result<std::vector<std::string>> takeInputs(const std::vector<std::string>& inputs, InputsAs as,
+namespace
+{
+
+// Puts the files that a pattern matches in its place. A pattern of pictures is a volume in slices, which stays one
+// input unless they are to be something else.
+std::vector<std::string> withFilesOfPatterns(const std::vector<std::string>& inputs, InputsAs as)
+{
+	const bool keeps_pictures = as == InputsAs::automatic || (as == InputsAs::stack && inputs.size() == 1);
+	std::vector<std::string> all;
+	for (const std::string& input : inputs)
+	{
+		const std::vector<std::string> files =
+		    isFilePattern(input) ? filesOfPattern(input) : std::vector<std::string>();
+		if (files.empty() || (keeps_pictures && std::ranges::all_of(files, isPictureName)))
+			all.push_back(input);
+		else
+			all.insert(all.end(), files.begin(), files.end());
+	}
+	return all;
+}
+
+} // namespace
+
+Result<std::vector<std::string>> takeInputs(const std::vector<std::string>& given, InputsAs as,
                                             const ReadOptions& options)
 {
+	const std::vector<std::string> inputs = withFilesOfPatterns(given, as);
 	if (inputs.size() < 2 || as == InputsAs::blocks)
 		return inputs;
 	const auto demo = std::ranges::find_if(inputs, [](const std::string& input) { return input.starts_with(kDemo); });
-	if (as == InputsAs::times && demo != inputs.end())
-		return Error{ErrorKind::usage, fmt::format("`inputs` times: {} is no file; name files only", *demo)};
+	if (as != InputsAs::automatic && demo != inputs.end())
+		return Error{ErrorKind::usage, fmt::format("`inputs` {}: {} is no file; name files only",
+		                                           as == InputsAs::times ? "times" : "stack", *demo)};
 	if (as == InputsAs::times)
 		return asSeries(inputs, {}, options);
-	if (demo != inputs.end() || !numbersOfNames(inputs))
+	if (as == InputsAs::stack)
+		return asStack(inputs);
+	const bool are_numbered = numbersOfNames(inputs).has_value();
+	const bool are_pictures = std::ranges::all_of(inputs, isPictureName) || std::ranges::all_of(inputs, isDicom);
+	if (demo != inputs.end() || (!are_numbered && !are_pictures))
 		return inputs;
-	std::vector<FileFacts> facts;
-	for (const std::string& file : {inputs[0], inputs[1]})
-	{
-		Result<FileFacts> found = factsOf(file, options);
-		if (!found)
-			return inputs; // reading it will tell why
-		facts.push_back(std::move(*found));
-	}
+	if (are_pictures && areSlices(inputs, options))
+		return asStack(inputs);
+	if (!are_numbered)
+		return inputs;
+	Result<FileFacts> first = factsOf(inputs[0], options);
+	if (!first && !are_pictures && areSlices(inputs, options))
+		return asStack(inputs);
+	if (!first)
+		return inputs; // reading it will tell why
+	Result<FileFacts> second = factsOf(inputs[1], options);
+	if (!second)
+		return inputs;
+	const std::vector<FileFacts> facts{std::move(*first), std::move(*second)};
 	if (!haveOneGrid(facts[0], facts[1]) || facts[0].times.size() > 1 || facts[1].times.size() > 1)
 		return inputs;
-	warn("{} and {} more are taken as times of one series, since their grids are the same; `inputs` blocks puts them "
+	note("{} and {} more are taken as times of one series, since their grids are the same; `inputs` blocks puts them "
 	     "together",
 	     inputs[0], inputs.size() - 1);
 	return asSeries(inputs, facts, options);

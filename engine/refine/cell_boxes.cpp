@@ -1,9 +1,8 @@
 #include "refine/cell_boxes.h"
 
+#include "base/parallel_for.h"
 #include "grid/link/morton.h"
 #include "refine/tetrahedron.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -80,25 +79,25 @@ CellBoxes::CellBoxes(const grid::CurvedCells& curved, const CellKinds& kinds)
 			corners.include(firstPoint(curved, c));
 	const grid::MortonCurve curve(corners);
 	grid::KeyedIds keys(count);
-	tbb::parallel_for(std::size_t(0), count,
-	                  [&](std::size_t c)
-	                  {
-		                  keys[c] = {curved.isCut(c) ? curve(firstPoint(curved, c)) : grid::MortonCurve::kLast,
-		                             static_cast<std::uint32_t>(c)};
-	                  });
+	tracedFor(std::size_t(0), count,
+	          [&](std::size_t c)
+	          {
+		          keys[c] = {curved.isCut(c) ? curve(firstPoint(curved, c)) : grid::MortonCurve::kLast,
+		                     static_cast<std::uint32_t>(c)};
+	          });
 	grid::sortByKey(keys);
 	cells_.resize(count);
 	boxes_.resize((count + kCells - 1) / kCells);
 	std::vector<Box> nodes(boxes_.size());
-	tbb::parallel_for(std::size_t(0), boxes_.size(),
-	                  [&](std::size_t b)
-	                  {
-		                  for (std::size_t i = b * kCells; i < std::min((b + 1) * kCells, count); ++i)
-		                  {
-			                  cells_[i] = keys[i].id;
-			                  boxes_[b].include(boxOf(curved, kinds, cells_[i], nodes[b]));
-		                  }
-	                  });
+	tracedFor(std::size_t(0), boxes_.size(),
+	          [&](std::size_t b)
+	          {
+		          for (std::size_t i = b * kCells; i < std::min((b + 1) * kCells, count); ++i)
+		          {
+			          cells_[i] = keys[i].id;
+			          boxes_[b].include(boxOf(curved, kinds, cells_[i], nodes[b]));
+		          }
+	          });
 	Box bounds;
 	for (const Box& box : nodes)
 		bounds.include(box);

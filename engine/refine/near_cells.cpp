@@ -1,6 +1,6 @@
 #include "refine/near_cells.h"
 
-#include <tbb/parallel_for.h>
+#include "base/parallel_for.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,15 +58,15 @@ void NearCells::valuesOf(std::size_t node, double* values) const
 void NearCells::add(std::span<const std::uint32_t> cells)
 {
 	ranges_.resize((cells.size() + kNearAtOnce - 1) / kNearAtOnce);
-	tbb::parallel_for(std::size_t(0), ranges_.size(),
-	                  [&](std::size_t r)
-	                  {
-		                  Scratch scratch;
-		                  for (const std::uint32_t cell :
-		                       cells.subspan(r * kNearAtOnce, std::min(kNearAtOnce, cells.size() - r * kNearAtOnce)))
-			                  if (curved_.isCut(cell))
-				                  look(cell, ranges_[r], scratch);
-	                  });
+	tracedFor(std::size_t(0), ranges_.size(),
+	          [&](std::size_t r)
+	          {
+		          Scratch scratch;
+		          for (const std::uint32_t cell :
+		               cells.subspan(r * kNearAtOnce, std::min(kNearAtOnce, cells.size() - r * kNearAtOnce)))
+			          if (curved_.isCut(cell))
+				          look(cell, ranges_[r], scratch);
+	          });
 	for (std::uint32_t r = 0; r < ranges_.size(); ++r)
 	{
 		curved_looked_at_ += ranges_[r].curved_looked_at;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tbb/parallel_for.h>
+#include "base/parallel_for.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -20,8 +20,8 @@ constexpr std::size_t rangesOf(std::size_t parts)
 template <class Body>
 void forEachRange(std::size_t count, Body&& body)
 {
-	tbb::parallel_for(std::size_t(0), rangesOf(count),
-	                  [&](std::size_t r) { body(r, r * kPartsAtOnce, std::min((r + 1) * kPartsAtOnce, count)); });
+	tracedFor(std::size_t(0), rangesOf(count),
+	          [&](std::size_t r) { body(r, r * kPartsAtOnce, std::min((r + 1) * kPartsAtOnce, count)); });
 }
 
 } // namespace vp::refine

@@ -1,9 +1,8 @@
 #include "refine/refine_block.h"
 
+#include "base/parallel_for.h"
 #include "refine/shape_refiner.h"
 #include "refine/tetrahedron.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
@@ -104,18 +103,17 @@ BlockParts refineRanges(const RangeRefiner<Values>& refiner, std::span<const std
 	const std::size_t ranges = (cells.size() + kCellsAtOnce - 1) / kCellsAtOnce;
 	std::vector<std::optional<BlockParts>> made(ranges);
 	std::atomic<std::size_t> parts = 0;
-	tbb::parallel_for(std::size_t(0), ranges,
-	                  [&](std::size_t r)
-	                  {
-		                  if (stop.stop_requested())
-			                  return;
-		                  BlockParts& of_range = made[r].emplace(BlockParts{PartList(8 * kCellsAtOnce)});
-		                  refiner.run(
-		                      cells.subspan(r * kCellsAtOnce, std::min(kCellsAtOnce, cells.size() - r * kCellsAtOnce)),
+	tracedFor(std::size_t(0), ranges,
+	          [&](std::size_t r)
+	          {
+		          if (stop.stop_requested())
+			          return;
+		          BlockParts& of_range = made[r].emplace(BlockParts{PartList(8 * kCellsAtOnce)});
+		          refiner.run(cells.subspan(r * kCellsAtOnce, std::min(kCellsAtOnce, cells.size() - r * kCellsAtOnce)),
 		                      of_range);
-		                  if (parts += of_range.parts.types().size(); parts > max_parts)
-			                  throw TooManyParts("too many parts");
-	                  });
+		          if (parts += of_range.parts.types().size(); parts > max_parts)
+			          throw TooManyParts("too many parts");
+	          });
 	BlockParts all{PartList(parts / 2)};
 	for (std::optional<BlockParts>& of_range : made)
 	{

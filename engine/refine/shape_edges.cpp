@@ -1,8 +1,7 @@
+#include "base/parallel_for.h"
 #include "refine/part_ranges.h"
 #include "refine/shape_refiner.h"
 #include "refine/tetrahedron.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,12 +33,12 @@ void ShapeRefiner::findEdges()
 	forEachRange(parts_.size(),
 	             [&](std::size_t r, std::size_t begin, std::size_t end) { gather(begin, end, requests[r]); });
 	std::array<std::vector<double>, EdgeTable::kShards> middles;
-	tbb::parallel_for(std::size_t(0), EdgeTable::kShards,
-	                  [&](std::size_t shard)
-	                  {
-		                  number(shard, requests);
-		                  evaluate(shard, middles[shard]);
-	                  });
+	tracedFor(std::size_t(0), EdgeTable::kShards,
+	          [&](std::size_t shard)
+	          {
+		          number(shard, requests);
+		          evaluate(shard, middles[shard]);
+	          });
 	std::array<std::size_t, EdgeTable::kShards> starts;
 	std::size_t count = points_.size();
 	for (std::size_t shard = 0; shard < EdgeTable::kShards; ++shard)
@@ -51,23 +50,23 @@ void ShapeRefiner::findEdges()
 		throw TooManyParts("too many points");
 	points_.resize(count);
 	numbers_.resize(count * cells_.width());
-	tbb::parallel_for(std::size_t(0), EdgeTable::kShards,
-	                  [&](std::size_t s)
-	                  {
-		                  std::ranges::copy(middles[s],
-		                                    numbers_.begin() + static_cast<std::ptrdiff_t>(starts[s] * cells_.width()));
-		                  EdgeTable::Shard& shard = edges_.shard(s);
-		                  for (const EdgeTable::NewEdge& edge : shard.made)
-		                  {
-			                  if (edge.point == EdgeTable::kUnknown)
-				                  continue;
-			                  const auto point = static_cast<std::uint32_t>(starts[s] + edge.point);
-			                  shard.edges[edge.number].point = point;
-			                  points_[point] = {Vec3(0.0), 0.5 * (Vec3(edge.places[0]) + Vec3(edge.places[1])),
-			                                    cells_[edge.near].cell, edge.ends};
-		                  }
-		                  shard.made.clear();
-	                  });
+	tracedFor(std::size_t(0), EdgeTable::kShards,
+	          [&](std::size_t s)
+	          {
+		          std::ranges::copy(middles[s],
+		                            numbers_.begin() + static_cast<std::ptrdiff_t>(starts[s] * cells_.width()));
+		          EdgeTable::Shard& shard = edges_.shard(s);
+		          for (const EdgeTable::NewEdge& edge : shard.made)
+		          {
+			          if (edge.point == EdgeTable::kUnknown)
+				          continue;
+			          const auto point = static_cast<std::uint32_t>(starts[s] + edge.point);
+			          shard.edges[edge.number].point = point;
+			          points_[point] = {Vec3(0.0), 0.5 * (Vec3(edge.places[0]) + Vec3(edge.places[1])),
+			                            cells_[edge.near].cell, edge.ends};
+		          }
+		          shard.made.clear();
+	          });
 }
 
 void ShapeRefiner::gather(std::size_t begin, std::size_t end, Requests& requests) const

@@ -1,10 +1,9 @@
 #include "refine/shape_refiner.h"
 
+#include "base/parallel_for.h"
 #include "refine/corner_tetrahedra.h"
 #include "refine/part_ranges.h"
 #include "refine/tetrahedron.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
@@ -27,9 +26,9 @@ void appendAll(std::vector<T>& all, const std::vector<std::vector<T>>& lists)
 	for (const std::vector<T>& list : lists)
 		starts.push_back(starts.back() + list.size());
 	all.resize(starts.back());
-	tbb::parallel_for(std::size_t(0), lists.size(),
-	                  [&](std::size_t l)
-	                  { std::ranges::copy(lists[l], all.begin() + static_cast<std::ptrdiff_t>(starts[l])); });
+	tracedFor(std::size_t(0), lists.size(),
+	          [&](std::size_t l)
+	          { std::ranges::copy(lists[l], all.begin() + static_cast<std::ptrdiff_t>(starts[l])); });
 }
 
 } // namespace

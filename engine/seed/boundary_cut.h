@@ -1,13 +1,12 @@
 #pragma once
 
+#include "base/parallel_for.h"
 #include "base/prefetch.h"
 #include "grid/boundary.h"
 #include "grid/grid.h"
 #include "seed/sheet_window.h"
 #include "surface/curved.h"
 #include "surface/sign_filter.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -227,12 +226,12 @@ std::size_t visitBoundaryCut(const G& grid, const grid::BoundaryIndex& boundary,
 {
 	constexpr std::size_t kGroups = 16; // at a time: some 10 us of work
 	std::vector<BoundaryCut> parts((boundary.groups.size() + kGroups - 1) / kGroups);
-	tbb::parallel_for(std::size_t(0), parts.size(),
-	                  [&](std::size_t n)
-	                  {
-		                  const std::size_t end = std::min((n + 1) * kGroups, boundary.groups.size());
-		                  parts[n] = BoundarySearch(grid, boundary, bounds, surface, window).search(n * kGroups, end);
-	                  });
+	tracedFor(std::size_t(0), parts.size(),
+	          [&](std::size_t n)
+	          {
+		          const std::size_t end = std::min((n + 1) * kGroups, boundary.groups.size());
+		          parts[n] = BoundarySearch(grid, boundary, bounds, surface, window).search(n * kGroups, end);
+	          });
 	std::size_t tests = 0;
 	for (const BoundaryCut& part : parts)
 	{

@@ -1,13 +1,12 @@
 #include "seed/curved_seeds.h"
 
+#include "base/parallel_for.h"
 #include "locate/find_cell.h"
 #include "seed/boundary_cut.h"
 #include "seed/cut_cells.h"
 #include "seed/leaf_pieces.h"
 #include "seed/nearest_cut.h"
 #include "surface/leaf_values.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -72,7 +71,7 @@ void seedTree(const grid::Block& block, const surface::BlockSurface& surface, co
 		searchBy(LeafPieces(grid, surface, window, filters), p);
 	};
 	std::visit([&](const auto& grid)
-	           { tbb::parallel_for(std::size_t(0), parts.size(), [&](std::size_t p) { search(grid, p); }); },
+	           { tracedFor(std::size_t(0), parts.size(), [&](std::size_t p) { search(grid, p); }); },
 	           block.grid);
 	for (const Part& part : parts)
 	{

@@ -1,8 +1,7 @@
 #include "seed/hot_spots.h"
 
+#include "base/parallel_for.h"
 #include "seed/sheet_walk.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,8 +46,7 @@ public:
 		const std::size_t lines = in_window_ ? std::max<std::size_t>(enough, 1) : enough; // it may be long and low
 		const double apart = v_.length() / static_cast<double>(lines);
 		std::vector<Lines> first(lines + 2); // nothing below the lowest and above the highest
-		tbb::parallel_for(std::size_t(1), lines + 1,
-		                  [&](std::size_t l) { first[l] = wholeLine(heightOf(l, apart), spine); });
+		tracedFor(std::size_t(1), lines + 1, [&](std::size_t l) { first[l] = wholeLine(heightOf(l, apart), spine); });
 		std::vector<HotSpots> strips(lines + 1);
 		const auto refineStrip = [&](std::size_t l)
 		{
@@ -57,7 +55,7 @@ public:
 			refine({lo, hi}, first[l], first[l + 1], strips[l]);
 		};
 		if (lines > 0)
-			tbb::parallel_for(std::size_t(0), lines + 1, refineStrip);
+			tracedFor(std::size_t(0), lines + 1, refineStrip);
 		HotSpots all;
 		add(spine, all);
 		for (const Lines& of_height : first)

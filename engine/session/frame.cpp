@@ -1,5 +1,7 @@
 #include "session/frame.h"
 
+#include "base/frame_scope.h"
+
 #include <algorithm>
 
 namespace vp::session
@@ -52,6 +54,7 @@ void addFigures(const Session& session, Wants::Figures wanted, const std::vector
 } // namespace
 
 Result<std::shared_ptr<const Frame>> Session::frame(const FrameRequest& request, std::stop_token stop)
+try
 {
 	if (Status ready = prepareFor(request, stop); !ready)
 		return ready.error();
@@ -62,6 +65,7 @@ Result<std::shared_ptr<const Frame>> Session::frame(const FrameRequest& request,
 	    last->made_for.wants == request.wants)
 		return request.last;
 
+	grid::startCountingParts(blocks_);
 	auto frame = std::make_shared<Frame>();
 	frame->made_for = request;
 	frame->made_for.last.reset();
@@ -70,6 +74,7 @@ Result<std::shared_ptr<const Frame>> Session::frame(const FrameRequest& request,
 	std::vector<bool> kept; // per sheet
 	{
 		const TimedSection section(timeline_.get(), "cut");
+		FrameScope::comesTo(FrameScope::Stop::cut, timeline_.get());
 		Result<cut::Cut> found = find(request, last, stop);
 		if (!found)
 			return found.error();
@@ -91,6 +96,10 @@ Result<std::shared_ptr<const Frame>> Session::frame(const FrameRequest& request,
 		frame->contours = std::move(*contours);
 	}
 	return std::shared_ptr<const Frame>(std::move(frame));
+}
+catch (const parts::Unreadable& unreadable)
+{
+	return Error{ErrorKind::input, unreadable.what()};
 }
 
 // Returns the frame before if it was made of the same cells by the same settings, otherwise null.

@@ -46,6 +46,18 @@ read::ArrayWish wishedArrays(const view::ProbeSpec& probe)
 	return wish;
 }
 
+// To read an array of fewer bytes takes less than a tenth of a second.
+constexpr std::uint64_t kStaysAbove = 64 << 20;
+
+// All sessions of a process share it, so the last one that was opened has its way.
+parts::KeptParts& keptParts(const view::ViewSpec& spec)
+{
+	static const std::uint64_t usual = parts::KeptParts::halfOfFreeMemory();
+	parts::KeptParts& kept = parts::KeptParts::ofProcess();
+	kept.setBudget(spec.machine.memory > 0.0 ? static_cast<std::uint64_t>(spec.machine.memory) : usual);
+	return kept;
+}
+
 bool namesPatch(const view::ViewSpec& spec)
 {
 	return std::holds_alternative<find::PatchName>(spec.probe.surface) ||
@@ -55,22 +67,30 @@ bool namesPatch(const view::ViewSpec& spec)
 
 } // namespace
 
+std::uint64_t memoryForParts(const view::ViewSpec& spec)
+{
+	return keptParts(spec).budget();
+}
+
 read::ReadOptions readOptions(const view::ViewSpec& spec, const read::TimeChoice& time)
 {
 	const view::InputSpec& input = spec.input;
 	return {.time = time,
 	        .solution = input.solution,
 	        .refine = input.refine,
-	        .displace = input.displace,
+	        .displace = input.displace.value_or(input.displace_by.empty() ? 0.0 : 1.0),
+	        .displace_by = input.displace_by,
 	        .patches = namesPatch(spec),
 	        .format = input.format,
-	        .raw = input.raw};
+	        .raw = input.raw,
+	        .cell_to_point = input.cell_to_point};
 }
 
 Result<grid::BlockSet> readInputs(const view::ViewSpec& spec, bool patches)
 {
 	read::ReadOptions reading = readOptions(spec, spec.input.time);
 	reading.patches = reading.patches || patches;
+	reading.stays_above = memoryForParts(spec);
 	const Result<std::vector<std::string>> inputs =
 	    read::takeInputs(spec.input.files, spec.input.inputs_as, readOptions(spec, spec.input.time));
 	if (!inputs)
@@ -81,8 +101,10 @@ Result<grid::BlockSet> readInputs(const view::ViewSpec& spec, bool patches)
 read::ReadOptions Session::readOptions(const read::TimeChoice& time) const
 {
 	read::ReadOptions reading = session::readOptions(spec_, time);
+	reading.follow = follow_;
 	if (!reads_all_arrays_)
 		reading.arrays = wishedArrays(spec_.probe);
+	reading.stays_above = stays_above_;
 	return reading;
 }
 
@@ -96,13 +118,19 @@ Result<grid::BlockSet> Session::readBlocks(const OpenOptions& options)
 {
 	const Progress progress(fmt::format("reading {}", fmt::join(spec_.input.files, ", ")));
 	read::ReadOptions reading = readOptions(spec_.input.time);
-	Result<std::vector<std::string>> inputs =
-	    read::takeInputs(spec_.input.files, spec_.input.inputs_as, session::readOptions(spec_, spec_.input.time));
+	Result<std::vector<std::string>> inputs = read::takeInputs(spec_.input.files, spec_.input.inputs_as, reading);
 	if (!inputs)
 		return inputs.error();
 	inputs_ = std::move(*inputs);
 	reading.identifies_geometry = options.time_may_change || spec_.probe.vectors.path_lines;
 	reading.stop = options.stop;
+	const parts::KeptParts& kept = keptParts(spec_);
+	// A device takes whole arrays, and ranks share out a file by themselves.
+	if (options.ranks.holdsAll() && spec_.machine.classify != view::Classify::gpu)
+		stays_above_ = (options.expect == Expect::one_cut || options.one_cut_a_time) && meetsFewValues(spec_)
+		                   ? std::min(kept.budget(), kStaysAbove)
+		                   : kept.budget();
+	reading.stays_above = stays_above_;
 	const bool needs_neighbors = options.expect == Expect::more || needsNeighbors(spec_);
 	reading.builds_neighbors = needs_neighbors && options.ranks.buildsWhileReading();
 	reading.for_one_cut = !needs_neighbors && options.expect == Expect::one_cut && servesOneCut(spec_);
@@ -112,11 +140,13 @@ Result<grid::BlockSet> Session::readBlocks(const OpenOptions& options)
 // Makes a session with the blocks that `take` gives, while the device opens.
 template <class Take>
 Result<std::unique_ptr<Session>> Session::make(view::ViewSpec spec, OpenOptions options, Take&& take)
+try
 {
 	limitThreads(spec.machine.threads);
 	std::unique_ptr<Session> session(new Session());
 	session->timeline_ = std::make_unique<Timeline>(options.keep);
 	session->reads_all_arrays_ = options.reads_all_arrays;
+	session->follow_ = options.follow;
 	session->spec_ = std::move(spec);
 	// What can be wrong with the settings is told before a large file is read.
 	if (Status fits = view::validate(session->spec_); !fits)
@@ -126,11 +156,13 @@ Result<std::unique_ptr<Session>> Session::make(view::ViewSpec spec, OpenOptions 
 		return fits.error();
 	std::future<Result<OpenedDevice>> opening;
 	if (!options.device)
-		opening = session::openDevice(session->spec_, options.use);
+		opening = session::openDevice(session->spec_, options.use, session->timeline_.get());
 	Result<grid::BlockSet> blocks = endingOnRequest(options.stop, "opening", [&] { return take(*session); });
 	if (!blocks)
 		return blocks.error();
 	session->blocks_ = std::move(*blocks);
+	session->lookForCategories();
+	session->takeTime(session->spec_.input.time);
 	session->device_ = std::move(options.device);
 	if (Status resolved = session->resolve(session->spec_); !resolved)
 		return resolved.error();
@@ -151,6 +183,10 @@ Result<std::unique_ptr<Session>> Session::make(view::ViewSpec spec, OpenOptions 
 		if (Status built = session->buildNeighbors(options.stop); !built)
 			return built.error();
 	return session;
+}
+catch (const parts::Unreadable& unreadable)
+{
+	return Error{ErrorKind::input, unreadable.what()};
 }
 
 Result<std::unique_ptr<Session>> Session::open(view::ViewSpec spec, OpenOptions options)

@@ -2,6 +2,8 @@
 
 #include "grid/shown_value.h"
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,13 +27,37 @@ bool isSmallInteger(grid::NumberType type)
 	return type <= grid::NumberType::uint16;
 }
 
+void add(const Histogram& other, Histogram& sum)
+{
+	for (std::size_t i = 0; i < kBins; ++i)
+		sum[i] += other[i];
+}
+
 void count(const grid::Field& field, int component, const std::pair<double, double>& ends, Histogram& bins)
 {
 	const auto [lo, hi] = ends;
 	const std::size_t step = field.tuples() / kMaxLooked + 1;
-	for (std::size_t t = 0; t < field.tuples(); t += step)
-		if (const double value = grid::shownValue(field, t, component); value >= lo && value <= hi)
-			++bins[static_cast<std::size_t>(std::lround((value - lo) / (hi - lo) * (kBins - 1)))];
+	const auto include = [&, lo = lo, hi = hi](double value, Histogram& to)
+	{
+		if (value >= lo && value <= hi)
+			++to[static_cast<std::size_t>(std::lround((value - lo) / (hi - lo) * (kBins - 1)))];
+	};
+	if (!field.stored)
+	{
+		for (std::size_t t = 0; t < field.tuples(); t += step)
+			include(grid::shownValue(field, t, component), bins);
+		return;
+	}
+	tbb::enumerable_thread_specific<Histogram> of_threads(Histogram{});
+	const std::size_t width = field.stored->layout().item_bytes;
+	field.stored->forEachRun(
+	    [&](std::uint64_t first, const std::byte* bytes, std::size_t count)
+	    {
+		    for (std::size_t t = (step - first % step) % step; t < count; t += step)
+			    include(grid::shownValue(field, bytes + t * width, component), of_threads.local());
+	    });
+	for (const Histogram& other : of_threads)
+		add(other, bins);
 }
 
 // Returns the place from 0 to 1 up to which this part of the values lies.
@@ -84,12 +110,7 @@ std::optional<std::pair<double, double>> windowOfScan(const Session& session, co
 			count(*each, field.component, {lo, hi}, bins);
 			rounds = rounds && each->type < grid::NumberType::float32 && field.component != grid::kMagnitude;
 		}
-	bins = session.ranks().sum(bins,
-	                           [](Histogram& sum, const Histogram& other)
-	                           {
-		                           for (std::size_t i = 0; i < kBins; ++i)
-			                           sum[i] += other[i];
-	                           });
+	bins = session.ranks().sum(bins, [](Histogram& sum, const Histogram& other) { add(other, sum); });
 	const auto valueAt = [rounds, &bins, lo = lo, hi = hi](double part)
 	{
 		const double value = lo + placeOf(bins, part) * (hi - lo);

@@ -24,6 +24,16 @@ bool servesOneCut(const view::ViewSpec& spec)
 	       (!machine.strategy || machine.strategy == find::Strategy::spans);
 }
 
+bool meetsFewValues(const view::ViewSpec& spec)
+{
+	const view::ProbeSpec& probe = spec.probe;
+	const surface::ImplicitSurface* surface = view::implicitSurface(probe.surface);
+	const auto asksForValues = [](const probe::Sheet& sheet) { return sheet.form && sheet.form->isoValue(); };
+	return !probe.threshold && !probe.vectors.on() && !spec.look.contour.isGiven() && spec.look.context.empty() &&
+	       !view::replacesSheets(probe.surface) && !(surface && surface->isoValue()) &&
+	       !(probe.own && std::ranges::any_of(probe.own->probe.sheets, asksForValues));
+}
+
 bool needsNeighbors(const view::ViewSpec& spec)
 {
 	const view::ProbeSpec& probe = spec.probe;
@@ -96,7 +106,7 @@ bool Session::classifiesOnGpu()
 {
 	const view::Classify asked = spec_.machine.classify;
 	if (!ranks_.mayUseDevice() || !device_ || asked == view::Classify::cpu || leavesDeviceIdle(spec_.probe) ||
-	    !grid::hasNeighbors(blocks_))
+	    !grid::hasNeighbors(blocks_) || grid::staysInFile(blocks_))
 		return false;
 	if (asked == view::Classify::gpu)
 		return true;
@@ -119,6 +129,7 @@ bool Session::classifiesOnGpu()
 Status Session::makeCutter()
 {
 	++stamp_.cells;
+	markCategories(blocks_, categories_, spec_.probe.interpolate); // blocks that were finished anew have lost the marks
 	ranks_.forgetBorders();
 	if (!classifiesOnGpu())
 	{
@@ -131,6 +142,13 @@ Status Session::makeCutter()
 		return made.error();
 	cutter_ = std::move(*made);
 	return Nothing{};
+}
+
+// To be called when blocks or values were read.
+void Session::lookForCategories()
+{
+	categories_ = findCategories(blocks_, ranks_);
+	markCategories(blocks_, categories_, spec_.probe.interpolate);
 }
 
 void Session::takeNewValues()
@@ -151,6 +169,7 @@ Status Session::replaceFields(std::vector<std::vector<grid::Field>> fields)
 {
 	for (std::size_t b = 0; b < fields.size(); ++b)
 		grid::replaceFields(blocks_.blocks[b], std::move(fields[b]));
+	lookForCategories();
 	// What was resolved may name fields that are gone.
 	if (Status resolved = resolve({.input = spec_.input, .machine = spec_.machine}); !resolved)
 		return resolved;
@@ -158,11 +177,28 @@ Status Session::replaceFields(std::vector<std::vector<grid::Field>> fields)
 	return Nothing{};
 }
 
+void Session::setArray(const std::vector<grid::Field>& of_each)
+{
+	for (std::size_t b = 0; b < of_each.size(); ++b)
+	{
+		std::vector<grid::Field> fields = blocks_.blocks[b].fields;
+		const auto known = std::ranges::find_if(
+		    fields, [&](const grid::Field& field)
+		    { return field.name == of_each[b].name && field.association == of_each[b].association; });
+		if (known == fields.end())
+			fields.push_back(of_each[b]);
+		else
+			*known = of_each[b];
+		grid::replaceFields(blocks_.blocks[b], std::move(fields));
+	}
+	forgetValues();
+}
+
 Status Session::openDevice()
 {
 	if (device_)
 		return Nothing{};
-	Result<OpenedDevice> opened = session::openDevice(spec_, DeviceUse::draw).get();
+	Result<OpenedDevice> opened = session::openDevice(spec_, DeviceUse::draw, timeline_.get()).get();
 	if (!opened)
 		return opened.error();
 	device_ = std::move(opened->device);
@@ -184,6 +220,17 @@ Result<render::Renderer> Session::takeRenderer()
 	Result<render::Renderer> taken = renderer_ ? std::move(*renderer_) : render::Renderer::create(*device_);
 	renderer_.reset();
 	return taken;
+}
+
+bool Session::colorsOverShown(const std::optional<grid::FieldChoice>& field) const
+{
+	const view::LookSpec& look = spec_.look;
+	if (look.range_of != view::RangeOf::automatic || look.logarithmic || !field)
+		return look.range_of == view::RangeOf::slice;
+	std::uint64_t bytes = 0;
+	for (const grid::Field* of_block : field->inEach(blocks_))
+		bytes += of_block && of_block->stored ? of_block->stored->layout().byteCount() : 0;
+	return bytes > parts::KeptParts::ofProcess().budget();
 }
 
 namespace
@@ -231,6 +278,8 @@ Status Session::resolve(view::ViewSpec spec)
 		return view.error();
 	spec_ = std::move(spec);
 	view_ = std::move(*view);
+	if (markCategories(blocks_, categories_, spec_.probe.interpolate) && cutter_)
+		takeNewValues();
 	const Status prepared = prepareLaunch();
 	is_resolved_ = bool(prepared);
 	return prepared;

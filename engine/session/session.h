@@ -11,6 +11,7 @@
 #include "ranks/ranks.h"
 #include "read/read.h"
 #include "render/renderer.h"
+#include "session/categories.h"
 #include "session/open_device.h"
 #include "vectors/path_lines.h"
 #include "view/resolve.h"
@@ -92,9 +93,11 @@ struct OpenOptions
 	DeviceUse use = DeviceUse::classify;
 	Expect expect = Expect::more; // of the first frame: what is built while the inputs are read
 	bool reads_all_arrays = true; // read all arrays, not only those that are shown
+	bool one_cut_a_time = false;  // each time of the inputs is cut once
 	bool time_may_change = true;  // goTo() may be called: it keeps the grid if that is the same at the other time
 	Timeline::Keep keep = Timeline::Keep::totals;
 	std::shared_ptr<gpu::Device> device{};      // an open device; null opens the device of the settings
+	std::vector<std::string> follow{};          // for ReadOptions::follow
 	std::stop_token stop{};                     // a stop request ends the opening with ErrorKind::cancelled
 	ranks::Ranks ranks = ranks::Ranks::alone(); // the processes that hold the inputs together
 };
@@ -143,6 +146,8 @@ public:
 
 	/// Takes other arrays for its blocks: fields[block]. The probe's settings become those of a new view.
 	Status replaceFields(std::vector<std::vector<grid::Field>> fields);
+	/// Adds an array, or replaces the one with its name and association: of_each[block].
+	void setArray(const std::vector<grid::Field>& of_each);
 	/// Call this when the values in the blocks have changed.
 	void forgetValues();
 
@@ -171,11 +176,20 @@ public:
 	const std::vector<std::string>& inputs() const { return inputs_; }
 	const view::ResolvedView& view() const { return view_; }
 	const grid::BlockSet& blocks() const { return blocks_; }
+	/// The time of the values in the blocks; nothing if the inputs have no times.
+	std::optional<double> time() const { return blocks_.times.empty() ? std::nullopt : std::optional(launch_.time); }
+	/// Returns the options that read the inputs at a time as this session does.
+	read::ReadOptions readOptions(const read::TimeChoice& time) const;
 	const LaunchState& launch() const { return launch_; }
 	const std::shared_ptr<gpu::Device>& device() const { return device_; } // null if the CPU needs no device
 	/// What was measured if a device may classify: from how many cells on it is faster.
 	const std::optional<classify::BreakEven>& breakEven() const { return break_even_; }
 	const cut::Cutter& cutter() const { return *cutter_; }
+	/// Returns true if the colors of an array reach over what the sheets show: if the settings say so, or if it stays
+	/// in its file, is larger than the memory for parts, and nobody asks for all of it.
+	bool colorsOverShown(const std::optional<grid::FieldChoice>& field) const;
+	/// The arrays that name categories, whatever the settings say of interpolation.
+	const std::vector<CategoryArray>& categories() const { return categories_; }
 	measure::FiniteFields* finiteFields() const { return finite_fields_.get(); }
 	Timeline* timeline() const { return timeline_.get(); }
 	/// The processes that hold the blocks together. The blocks of others have no cells here. Functions that say so must
@@ -188,10 +202,10 @@ private:
 	static Result<std::unique_ptr<Session>> make(view::ViewSpec spec, OpenOptions options, Take&& take);
 	Result<grid::BlockSet> readBlocks(const OpenOptions& options);
 	Result<grid::BlockSet> readInputs(const read::ReadOptions& options);
-	read::ReadOptions readOptions(const read::TimeChoice& time) const;
 	Status readAnew(read::ReadOptions at);
 	Status resolve(view::ViewSpec spec);
 	Status prepareLaunch();
+	void lookForCategories();
 	void takeNewValues();
 	void takeTime(const read::TimeChoice& time);
 	void takeValuesAt(const read::TimeChoice& time);
@@ -209,7 +223,10 @@ private:
 	view::ResolvedView view_;
 	bool is_resolved_ = false; // the view is that of the settings
 	grid::BlockSet blocks_;
-	bool reads_all_arrays_ = true; // read all arrays whenever the inputs are read
+	std::vector<CategoryArray> categories_;
+	bool reads_all_arrays_ = true;               // read all arrays whenever the inputs are read
+	std::optional<std::uint64_t> stays_above_{}; // bytes of an array that may stay in its file
+	std::vector<std::string> follow_;
 	LaunchState launch_;
 	Stamp stamp_;
 	Expect expected_ = Expect::first_of_many; // of the last frame
@@ -225,6 +242,10 @@ private:
 /// Returns the options that read the inputs at a time, with all arrays.
 read::ReadOptions readOptions(const view::ViewSpec& spec, const read::TimeChoice& time);
 
+/// Returns how many bytes of files may be in memory where they are read part by part, and lets the process keep so
+/// many.
+std::uint64_t memoryForParts(const view::ViewSpec& spec);
+
 /// Reads the inputs of the settings at their time, as a session does, with all neighbors. patches: named parts of the
 /// boundary too.
 Result<grid::BlockSet> readInputs(const view::ViewSpec& spec, bool patches = false);
@@ -238,6 +259,9 @@ bool servesOneCut(const view::ViewSpec& spec);
 
 /// Returns "gpu", "cpu", or "mixed" if the CPU classifies a block because of a limit of the device.
 const char* classifierName(const Session& session);
+
+/// Returns true if a cut by the settings looks at the values where it lies, and nowhere else.
+bool meetsFewValues(const view::ViewSpec& spec);
 
 bool isEmpty(const cut::SheetCut& sheet);
 

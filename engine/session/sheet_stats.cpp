@@ -1,8 +1,11 @@
 #include "session/sheet_stats.h"
 
+#include "mesh/mesh_values.h"
 #include "ranks/join/hanging_borders.h"
 #include "ranks/join/whole_cells.h"
 #include "session/sheet_traces.h"
+
+#include <algorithm>
 
 namespace vp::session
 {
@@ -29,6 +32,93 @@ Result<SheetStats> sheetMesh(const Session& session, const cut::Cut& slice, std:
 	return stats;
 }
 
+namespace
+{
+
+std::shared_ptr<const mesh::NearestParts> partsOf(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh,
+                                                  const grid::FieldChoice& field)
+{
+	return std::make_shared<mesh::NearestParts>(
+	    mesh::nearestParts(blocks, mesh, field.inEach(blocks), field.component));
+}
+
+// Finds the polygons that pictures show, and parts them if the array names categories of points.
+void addShown(const Session& session, const grid::BlockSet& blocks, const std::optional<grid::FieldChoice>& field,
+              SheetStats& stats)
+{
+	if (!field)
+		return;
+	const mesh::SheetMesh* shown = stats.crinkle ? &*stats.crinkle : &stats.mesh;
+	if (const std::vector<bool> left_out = blocksCoveredByOthers(blocks, *field); !left_out.empty())
+	{
+		stats.area_left_out = measure::measureOf(ranks::sumUp(session.ranks(), blocks, stats.mesh, {}), false).area;
+		stats.shown = std::make_shared<mesh::SheetMesh>(mesh::withoutBlocks(*shown, left_out));
+		shown = stats.shown.get();
+		stats.area_left_out -=
+		    measure::measureOf(ranks::sumUp(session.ranks(), blocks, mesh::withoutBlocks(stats.mesh, left_out), {}),
+		                       false)
+		        .area;
+	}
+	if (grid::isCategorical(blocks, field) && field->association == grid::Association::point)
+		stats.parts = partsOf(blocks, *shown, *field);
+}
+
+} // namespace
+
+measure::Overlap overlapOf(const Session& session, const cut::Cut& slice, std::size_t sheet, const SheetStats& stats)
+{
+	const cut::SheetCut& cut = slice.sheets[sheet];
+	if (session.inputs().size() < 2 || !cut.isPlane() || !session.ranks().holdsAll())
+		return {};
+	return measure::overlapOf(slice.blocksOf(session.blocks()), stats.mesh, cut.sheet);
+}
+
+std::vector<bool> blocksCoveredByOthers(const grid::BlockSet& blocks, const grid::FieldChoice& field)
+{
+	const std::vector<const grid::Field*> fields = field.inEach(blocks);
+	std::vector<bool> covered(fields.size());
+	const auto volume = [](const Box& box)
+	{
+		const Vec3 size = glm::max(box.hi - box.lo, Vec3(0.0));
+		return size.x * size.y * size.z;
+	};
+	// Another grid may leave room within its bounds for a part of an assembly.
+	const auto isImage = [](const grid::Block& block) { return std::holds_alternative<grid::UniformGrid>(block.grid); };
+	const auto covers = [&](const grid::Block& other, const grid::Block& block)
+	{
+		const Box common{glm::max(other.bounds.lo, block.bounds.lo), glm::min(other.bounds.hi, block.bounds.hi)};
+		return other.input != block.input && isImage(other) && isImage(block) &&
+		       volume(common) > 0.5 * volume(block.bounds);
+	};
+	for (std::size_t b = 0; b < fields.size(); ++b)
+		for (std::size_t other = 0; !fields[b] && other < fields.size(); ++other)
+			covered[b] = covered[b] || (fields[other] && covers(blocks.blocks[other], blocks.blocks[b]));
+	return std::ranges::find(covered, true) != covered.end() ? covered : std::vector<bool>();
+}
+
+std::optional<measure::ValueAreas> valueAreas(const Session& session, const grid::BlockSet& blocks,
+                                              const mesh::SheetMesh& mesh, const grid::FieldChoice& field,
+                                              const mesh::NearestParts* parts)
+{
+	const auto& known = session.categories();
+	const bool has_few = std::ranges::any_of(
+	    known, [&](const CategoryArray& array)
+	    { return array.name == field.name && array.association == field.association && !array.values.empty(); });
+	if (!has_few || !grid::isCategorical(blocks, field))
+		return std::nullopt;
+	measure::ValueAreas own;
+	if (field.association == grid::Association::cell)
+		own = measure::valueAreas(mesh, mesh::polygonValues(blocks, mesh, field.inEach(blocks), field.component));
+	else if (parts)
+		own = measure::valueAreas(parts->mesh, parts->values);
+	else
+	{
+		const auto made = partsOf(blocks, mesh, field);
+		own = measure::valueAreas(made->mesh, made->values);
+	}
+	return ranks::sumUp(session.ranks(), std::move(own));
+}
+
 void measureSheet(const Session& session, const cut::Cut& slice, std::size_t sheet, SheetStats& stats)
 {
 	const TimedSection section(session.timeline(), "measure");
@@ -39,11 +129,16 @@ void measureSheet(const Session& session, const cut::Cut& slice, std::size_t she
 	if (stats.crinkle)
 		stats.crinkle_area = measure::measureOf(ranks::sumUp(session.ranks(), blocks, *stats.crinkle, {}), false).area;
 	stats.flux = fluxThrough(session, slice, sheet, stats.mesh);
+	addShown(session, blocks, field, stats);
+	stats.overlap = overlapOf(session, slice, sheet, stats);
+	if (field)
+		stats.value_areas =
+		    valueAreas(session, blocks, stats.mesh, *field, stats.crinkle || stats.shown ? nullptr : stats.parts.get());
 }
 
 void measureForPicture(const Session& session, const cut::Cut& slice, std::size_t sheet, SheetStats& stats)
 {
-	if (session.spec().look.range_of == view::RangeOf::slice)
+	if (session.colorsOverShown(slice.sheets[sheet].field))
 		return measureSheet(session, slice, sheet, stats);
 	const TimedSection section(session.timeline(), "measure");
 	// Arrays of refined cells are new in each cut.
@@ -51,6 +146,7 @@ void measureForPicture(const Session& session, const cut::Cut& slice, std::size_
 	stats.measure.nan_area = session.ranks().sum(
 	    measure::nanArea(slice.blocksOf(session.blocks()), stats.mesh, slice.sheets[sheet].field, known),
 	    [](double& sum, double other) { sum += other; });
+	addShown(session, slice.blocksOf(session.blocks()), slice.sheets[sheet].field, stats);
 }
 
 std::vector<mesh::SheetMesh> exportedMeshes(const std::vector<SheetStats>& sheets)

@@ -111,14 +111,20 @@ Result<SharedTraces> traceSheet(const Session& session, const cut::Cut& slice, s
 	return std::make_shared<const vectors::Traces>(std::move(*traces));
 }
 
+std::optional<grid::FieldChoice> fluxArray(const Session& session, const cut::SheetCut& sheet)
+{
+	if (sheet.surface)
+		return std::nullopt;
+	if (session.view().vector_array)
+		return session.view().vector_array;
+	return sheet.field && hasVectors(session.blocks(), *sheet.field) ? sheet.field : std::nullopt;
+}
+
 std::optional<vectors::Flux> fluxThrough(const Session& session, const cut::Cut& slice, std::size_t number,
                                          const mesh::SheetMesh& mesh)
 {
-	const cut::SheetCut& sheet = slice.sheets[number];
-	std::optional<grid::FieldChoice> array = session.view().vector_array;
-	if (!array && sheet.field && hasVectors(session.blocks(), *sheet.field))
-		array = sheet.field;
-	if (!array || sheet.surface)
+	const std::optional<grid::FieldChoice> array = fluxArray(session, slice.sheets[number]);
+	if (!array)
 		return std::nullopt;
 	const vectors::FluxSums sums =
 	    session.ranks().sum(vectors::fluxSums(slice.blocksOf(session.blocks()), mesh, *array),

@@ -16,8 +16,11 @@ using SharedTraces = std::shared_ptr<const vectors::Traces>;
 Result<SharedTraces> traceSheet(const Session& session, const cut::Cut& slice, std::size_t sheet,
                                 const mesh::SheetMesh& mesh);
 
-// Returns the flux through the polygons of a sheet, along its normal: of the array that moves particles, or of the
-// shown array if it is a vector array, or nothing.
+// Returns the array whose flux through a sheet is told: the one that moves particles, or the shown array if it is a
+// vector array, or nothing.
+std::optional<grid::FieldChoice> fluxArray(const Session& session, const cut::SheetCut& sheet);
+
+// Returns the flux of that array through the polygons of a sheet, along its normal.
 std::optional<vectors::Flux> fluxThrough(const Session& session, const cut::Cut& slice, std::size_t sheet,
                                          const mesh::SheetMesh& mesh);
 

@@ -2,7 +2,11 @@
 
 #include "session/session.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 namespace vp::session
 {
@@ -14,7 +18,27 @@ read::TimeChoice choiceOfStep(const std::vector<double>& times, std::size_t inde
 	return {read::TimeChoice::Kind::value, times[index]};
 }
 
+std::string timeText(const Session& session)
+{
+	const std::optional<double> time = session.time();
+	if (!time)
+		return {};
+	constexpr int kDigits = 6;
+	std::vector<double> others = session.blocks().times;
+	std::erase(others, *time);
+	std::string number;
+	for (int digits = kDigits; digits <= std::numeric_limits<double>::max_digits10; ++digits)
+	{
+		number = fmt::format("{:.{}g}", *time, digits);
+		if (std::ranges::none_of(others, [&](double other) { return fmt::format("{:.{}g}", other, digits) == number; }))
+			break;
+	}
+	const std::string& units = session.blocks().time_units;
+	return fmt::format("t = {}{}{}", number, units.empty() ? "" : " ", units);
+}
+
 Status Session::goTo(const read::TimeChoice& time)
+try
 {
 	const read::ReadOptions at = readOptions(time);
 	const Result<bool> same_grid =
@@ -22,11 +46,18 @@ Status Session::goTo(const read::TimeChoice& time)
 	if (!same_grid)
 		return same_grid.error();
 	if (*same_grid)
+	{
+		lookForCategories();
 		takeNewValues();
+	}
 	else if (Status read = readAnew(at); !read)
 		return read;
 	takeValuesAt(time);
 	return Nothing{};
+}
+catch (const parts::Unreadable& unreadable)
+{
+	return Error{ErrorKind::input, unreadable.what()};
 }
 
 Status Session::readAnew(read::ReadOptions at)
@@ -39,6 +70,7 @@ Status Session::readAnew(read::ReadOptions at)
 		return blocks.error();
 	cutter_.reset();
 	blocks_ = std::move(*blocks);
+	lookForCategories();
 	finite_fields_ = std::make_unique<measure::FiniteFields>();
 	++stamp_.grid;
 	if (Status made = makeCutter(); !made)

@@ -26,13 +26,28 @@ std::string inputName(const Session& session)
 
 } // namespace
 
-grid::ValueSpan spanOf(const Session& session, const grid::FieldChoice& field)
+grid::ValueSpan spanOf(const grid::BlockSet& blocks, const ranks::Ranks& ranks, const grid::FieldChoice& field)
 {
 	grid::ValueSpan span;
-	for (const grid::Field* of_block : field.inEach(session.blocks()))
+	for (const grid::Field* of_block : field.inEach(blocks))
 		if (of_block)
 			span.include(grid::valueSpan(*of_block, field.component));
-	return session.ranks().sum(span, [](grid::ValueSpan& sum, const grid::ValueSpan& other) { sum.include(other); });
+	return ranks.sum(span, [](grid::ValueSpan& sum, const grid::ValueSpan& other) { sum.include(other); });
+}
+
+grid::ValueSpan spanOf(const Session& session, const grid::FieldChoice& field)
+{
+	return spanOf(session.blocks(), session.ranks(), field);
+}
+
+double leastPositive(const grid::BlockSet& blocks, const ranks::Ranks& ranks, const grid::FieldChoice& field)
+{
+	return ranks.sum(render::leastPositive(blocks, field),
+	                 [](double& least, double other)
+	                 {
+		                 if (other > 0.0 && !(least > 0.0 && least < other))
+			                 least = other;
+	                 });
 }
 
 Result<std::optional<render::ValueScale>> valueScale(const Session& session,
@@ -48,26 +63,31 @@ Result<std::optional<render::ValueScale>> valueScale(const Session& session,
 			                                           inputName(session), needed)};
 		return std::optional<render::ValueScale>();
 	}
-	const grid::ValueSpan span = spanOf(session, *field);
+	const bool looks_at_all = session.spec().look.range_of == view::RangeOf::slice || !session.colorsOverShown(field);
+	const grid::ValueSpan span = looks_at_all ? spanOf(session, *field) : grid::ValueSpan();
 	const auto [lo, hi] = span.range();
 	render::ValueScale scale{field->title(blocks), lo, hi};
-	scale.per_cell = field->association == grid::Association::cell;
+	scale.per_cell = field->association == grid::Association::cell || grid::isCategorical(blocks, field);
 	scale.below = span.minus_infinity;
 	scale.above = span.plus_infinity;
 	scale.empty = span.empty();
-	if (const auto window = scan_window ? windowOfScan(session, *field, span) : std::nullopt)
+	// Between their nodes, the values of curved cells may lie beyond those of the nodes.
+	if (!looks_at_all)
 	{
-		std::tie(scale.lo, scale.hi) = *window;
-		scale.is_window = true;
+		scale.empty = false;
+		scale.title += ", of the parts shown";
+		note("`range`: '{}' stays in its file, so its colors reach over the values that are shown; `range_of` data "
+		     "reads "
+		     "all of it first",
+		     field->name);
 	}
+	else if (std::ranges::none_of(blocks.blocks, [](const grid::Block& block) { return block.curved != nullptr; }))
+		scale.reach = {lo, hi};
+	if (const auto window = scan_window ? windowOfScan(session, *field, span) : std::nullopt)
+		std::tie(scale.lo, scale.hi) = *window;
 	if (!look.logarithmic)
 		return std::optional(scale);
-	scale.log_lo = session.ranks().sum(render::leastPositive(blocks, *field),
-	                                   [](double& least, double other)
-	                                   {
-		                                   if (other > 0.0 && !(least > 0.0 && least < other))
-			                                   least = other;
-	                                   });
+	scale.log_lo = leastPositive(blocks, session.ranks(), *field);
 	if (!(scale.log_lo > 0.0))
 		return Error{ErrorKind::input, fmt::format("`log`: '{}' has no value above 0 and so no logarithm; leave the "
 		                                           "setting out or show another `array`",

@@ -1,5 +1,6 @@
 #include "base/digits.h"
 #include "base/messages.h"
+#include "parts/part_store.h"
 #include "session/session.h"
 #include "session/sheet_stats.h"
 #include "session/value_scale.h"
@@ -7,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 
 namespace vp::session
@@ -83,6 +85,13 @@ Status reportWarnings(const Session& session, const cut::Cut& slice)
 			     corner(bounds.lo), corner(bounds.hi));
 		}
 	}
+	if (session.view().field)
+		if (const std::vector<bool> covered = blocksCoveredByOthers(session.blocks(), *session.view().field);
+		    !covered.empty())
+			warn(
+			    "{} of {} blocks have no array {} and lie where another block has it, so pictures leave them out; name "
+			    "another `array` to see them",
+			    std::ranges::count(covered, true), covered.size(), session.view().field->name);
 	return Nothing{};
 }
 
@@ -98,6 +107,51 @@ void reportBoundarySheets(const Session& session, const std::vector<SheetStats>&
 			     "boundary_mean and boundary_flux are its figures",
 			     sheetName(s, sheets.size()));
 	}
+}
+
+bool isMuch(const measure::Overlap& overlap)
+{
+	constexpr double kShare = 1e-3;
+	return overlap.share >= kShare;
+}
+
+void reportOverlap(const Session& session, const cut::Cut& slice, const std::vector<SheetStats>& sheets)
+{
+	measure::Overlap worst;
+	std::size_t where = 0;
+	for (std::size_t s = 0; s < sheets.size(); ++s)
+	{
+		const measure::Overlap overlap = sheets[s].overlap.value_or(overlapOf(session, slice, s, sheets[s]));
+		if (!isMuch(overlap) || overlap.area <= worst.area)
+			continue;
+		worst = overlap;
+		where = s;
+	}
+	if (isMuch(worst))
+		warn("{} and {} overlap: an area of {:.4g} in {} counts twice; if they are no parts of one data set, name one "
+		     "of "
+		     "them, or say what they are by `inputs`",
+		     session.inputs()[worst.inputs.first], session.inputs()[worst.inputs.second], worst.area,
+		     sheetName(where, sheets.size()));
+}
+
+void reportRowsAcross(const Session& session)
+{
+	constexpr double kMuch = 0.25;
+	constexpr std::uint64_t kLarge = 64 << 20; // less takes less than a tenth of a second
+	for (const grid::Block& block : session.blocks().blocks)
+		for (const grid::Field& field : block.fields)
+		{
+			if (!field.stored || field.stored->layout().is_padded)
+				continue;
+			const parts::PartUse use = field.stored->use();
+			if (use.bytes_met < kLarge || static_cast<double>(use.met) < kMuch * static_cast<double>(use.all))
+				continue;
+			note("{} lies in rows, of which this cut reads {} of {}; `vprobe convert` to a .vtkhdf file makes bricks, "
+			     "of which it reads a few percent",
+			     field.name, use.met, use.all);
+			return;
+		}
 }
 
 } // namespace vp::session

@@ -1,7 +1,8 @@
 #include "vectors/flight.h"
 
+#include "base/parallel_for.h"
+
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -210,14 +211,14 @@ Flight::Flight(const grid::BlockSet& blocks, std::span<const Launch> launches, c
 Status Flight::advance(std::span<const BlockTimes> vectors, double sense, const TimeSpan& span,
                        const std::stop_token& stop)
 {
-	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, particles_.size(), kTaken),
-	                  [&](const tbb::blocked_range<std::size_t>& range)
-	                  {
-		                  Pilot pilot(blocks_, vectors, motion_, span);
-		                  for (std::size_t i = range.begin(); i < range.end() && !stop.stop_requested(); ++i)
-			                  if (particles_[i].sense == sense)
-				                  pilot.fly(particles_[i]);
-	                  });
+	tracedFor(tbb::blocked_range<std::size_t>(0, particles_.size(), kTaken),
+	          [&](const tbb::blocked_range<std::size_t>& range)
+	          {
+		          Pilot pilot(blocks_, vectors, motion_, span);
+		          for (std::size_t i = range.begin(); i < range.end() && !stop.stop_requested(); ++i)
+			          if (particles_[i].sense == sense)
+				          pilot.fly(particles_[i]);
+	          });
 	if (stop.stop_requested())
 		return Error{ErrorKind::cancelled, "tracing was cancelled"};
 	return Nothing{};
@@ -226,13 +227,13 @@ Status Flight::advance(std::span<const BlockTimes> vectors, double sense, const 
 void Flight::advanceHere(std::span<const BlockTimes> vectors, const TimeSpan& span, const Elsewhere& elsewhere,
                          std::span<const std::uint32_t> numbers)
 {
-	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, numbers.size(), kTaken),
-	                  [&](const tbb::blocked_range<std::size_t>& range)
-	                  {
-		                  Pilot pilot(blocks_, vectors, motion_, span, &elsewhere);
-		                  for (std::size_t i = range.begin(); i < range.end(); ++i)
-			                  pilot.fly(particles_[numbers[i]]);
-	                  });
+	tracedFor(tbb::blocked_range<std::size_t>(0, numbers.size(), kTaken),
+	          [&](const tbb::blocked_range<std::size_t>& range)
+	          {
+		          Pilot pilot(blocks_, vectors, motion_, span, &elsewhere);
+		          for (std::size_t i = range.begin(); i < range.end(); ++i)
+			          pilot.fly(particles_[numbers[i]]);
+	          });
 }
 
 bool Flight::anyLeft(double sense) const
@@ -279,16 +280,16 @@ Traces Flight::take()
 		traces.blocks[at] = point.block;
 		traces.cells[at] = point.cell;
 	};
-	tbb::parallel_for(std::size_t(0), particles_.size(),
-	                  [&](std::size_t i)
-	                  {
-		                  Particle& particle = particles_[i];
-		                  const std::size_t launch = traces.launches[i / ways_];
-		                  const bool back = particle.sense < 0.0;
-		                  for (std::size_t n = 0; n < particle.path.size(); ++n)
-			                  put(back ? launch - n : launch + n, particle.path[n], particle.sense);
-		                  particle.path = {};
-	                  });
+	tracedFor(std::size_t(0), particles_.size(),
+	          [&](std::size_t i)
+	          {
+		          Particle& particle = particles_[i];
+		          const std::size_t launch = traces.launches[i / ways_];
+		          const bool back = particle.sense < 0.0;
+		          for (std::size_t n = 0; n < particle.path.size(); ++n)
+			          put(back ? launch - n : launch + n, particle.path[n], particle.sense);
+		          particle.path = {};
+	          });
 	return traces;
 }
 

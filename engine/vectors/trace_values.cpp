@@ -1,9 +1,8 @@
 #include "vectors/trace_values.h"
 
+#include "base/parallel_for.h"
 #include "grid/shown_value.h"
 #include "locate/interpolate.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -124,21 +123,21 @@ std::vector<double> valuesAt(const grid::BlockSet& blocks, const grid::FieldChoi
 {
 	const std::vector<const grid::Field*> fields = choice.inEach(blocks);
 	std::vector<double> values(traces.points.size(), kNothing);
-	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, values.size(), 256),
-	                  [&](const tbb::blocked_range<std::size_t>& range)
-	                  {
-		                  locate::CellWeights weights;
-		                  for (std::size_t i = range.begin(); i < range.end(); ++i)
-		                  {
-			                  const std::uint32_t b = traces.blocks[i];
-			                  if (!fields[b] || !holdsCells(blocks.blocks[b]))
-				                  continue;
-			                  const grid::Block& block = blocks.blocks[b];
-			                  if (fields[b]->association == grid::Association::point)
-				                  locate::weighCell(block, traces.cells[i], traces.points[i], weights);
-			                  values[i] = shownValue(block, *fields[b], weights, traces.cells[i], choice.component);
-		                  }
-	                  });
+	tracedFor(tbb::blocked_range<std::size_t>(0, values.size(), 256),
+	          [&](const tbb::blocked_range<std::size_t>& range)
+	          {
+		          locate::CellWeights weights;
+		          for (std::size_t i = range.begin(); i < range.end(); ++i)
+		          {
+			          const std::uint32_t b = traces.blocks[i];
+			          if (!fields[b] || !holdsCells(blocks.blocks[b]))
+				          continue;
+			          const grid::Block& block = blocks.blocks[b];
+			          if (fields[b]->association == grid::Association::point)
+				          locate::weighCell(block, traces.cells[i], traces.points[i], weights);
+			          values[i] = shownValue(block, *fields[b], weights, traces.cells[i], choice.component);
+		          }
+	          });
 	return values;
 }
 
@@ -148,14 +147,14 @@ std::vector<double> turnRates(const grid::BlockSet& blocks, const grid::FieldCho
 	if (vectors.association == grid::Association::cell)
 		return rates;
 	const std::vector<const grid::Field*> fields = vectors.inEach(blocks);
-	tbb::parallel_for(std::size_t(0), rates.size(),
-	                  [&](std::size_t i)
-	                  {
-		                  const std::uint32_t b = traces.blocks[i];
-		                  if (fields[b] && holdsCells(blocks.blocks[b]))
-			                  rates[i] = turnRate(blocks.blocks[b], *fields[b], traces.cells[i], traces.points[i],
-			                                      traces.vectors[i]);
-	                  });
+	tracedFor(std::size_t(0), rates.size(),
+	          [&](std::size_t i)
+	          {
+		          const std::uint32_t b = traces.blocks[i];
+		          if (fields[b] && holdsCells(blocks.blocks[b]))
+			          rates[i] =
+			              turnRate(blocks.blocks[b], *fields[b], traces.cells[i], traces.points[i], traces.vectors[i]);
+	          });
 	return rates;
 }
 

@@ -4,6 +4,7 @@
 #include "base/vec.h"
 #include "grid/block.h"
 #include "grid/field_choice.h"
+#include "grid/number_types.h"
 
 #include <cstddef>
 #include <string>
@@ -45,8 +46,9 @@ private:
 	template <class Number>
 	Vec3 numbersAt(std::size_t tuple) const
 	{
-		const auto* first = reinterpret_cast<const Number*>(field_->bytes.data()) + 3 * tuple;
-		return {first[0], first[1], first[2]};
+		const std::byte* numbers = field_->tuple(tuple);
+		return {grid::numberAt<Number>(numbers, 0), grid::numberAt<Number>(numbers, 1),
+		        grid::numberAt<Number>(numbers, 2)};
 	}
 
 	const grid::Field* field_ = nullptr;

@@ -1,5 +1,7 @@
 #include "view/input_title.h"
 
+#include "base/file_pattern.h"
+
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -12,7 +14,10 @@ std::string inputTitle(const std::vector<std::string>& inputs)
 	if (inputs.empty())
 		return {};
 	const std::string& first = inputs.front();
-	const std::string name = first.starts_with("demo:") ? first : std::filesystem::path(first).filename().string();
+	const std::filesystem::path path = first;
+	std::string name = first.starts_with("demo:") ? first : path.filename().string();
+	if (name.empty() || isFilePattern(first)) // "slices/" and "slices/*.tif"
+		name = (path.parent_path().filename() / name).string();
 	return inputs.size() == 1 ? name : fmt::format("{} and {} more", name, inputs.size() - 1);
 }
 

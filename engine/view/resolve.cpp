@@ -250,12 +250,24 @@ probe::Path pathOf(const SweepSpec& sweep)
 	return path;
 }
 
+double framesPerSecond(const SweepSpec& sweep)
+{
+	constexpr double kSmooth = 25.0;
+	constexpr double kTimes = 2.0; // so that each can be looked at
+	return sweep.frames_per_second.value_or(sweep.over_times ? kTimes : kSmooth);
+}
+
+double filmSpeed(const SweepSpec& sweep, int frames)
+{
+	return sweep.seconds ? frames / *sweep.seconds : framesPerSecond(sweep);
+}
+
 Result<int> frameCount(const SweepSpec& sweep)
 {
 	if (sweep.over_times)
 		return 0;
 	const std::optional<int> frames =
-	    sweep.frames ? sweep.frames : probe::framesOf(pathOf(sweep), sweep.frames_per_second);
+	    sweep.frames ? sweep.frames : probe::framesOf(pathOf(sweep), framesPerSecond(sweep));
 	if (frames)
 		return *frames;
 	return Error{ErrorKind::usage,

@@ -80,6 +80,11 @@ Result<ResolvedLook> resolveLook(const ViewSpec& spec);
 /// Returns the path of a sweep.
 probe::Path pathOf(const SweepSpec& sweep);
 
+/// Returns the frames per second of the settings, else 25, or 2 over the input's times.
+double framesPerSecond(const SweepSpec& sweep);
+/// Returns the frames per second of a film of so many frames.
+double filmSpeed(const SweepSpec& sweep, int frames);
+
 /// Returns the number of frames that the spec or the path gives, or a usage error if neither does. Returns 0 for a
 /// sweep over the input's times.
 Result<int> frameCount(const SweepSpec& sweep);

@@ -1,4 +1,5 @@
 #include "render/color/color_map_file.h"
+#include "render/color/opacity_points.h"
 #include "view/input_title.h"
 #include "view/resolve.h"
 
@@ -15,12 +16,13 @@ Status checkCategories(const LookSpec& spec, const render::ColorMap& colors)
 {
 	if (colors.categories.empty())
 		return Nothing{};
-	const char* key = spec.logarithmic ? "log"
-	                  : spec.lines > 0 ? "lines"
-	                  : spec.bands > 0 ? "bands"
-	                  : spec.range     ? "range"
-	                  : spec.symmetric ? "symmetric"
-	                                   : nullptr;
+	const char* key = spec.logarithmic               ? "log"
+	                  : spec.lines > 0               ? "lines"
+	                  : spec.bands > 0               ? "bands"
+	                  : spec.range                   ? "range"
+	                  : spec.symmetric               ? "symmetric"
+	                  : !spec.opacity_points.empty() ? "opacity_points"
+	                                                 : nullptr;
 	if (!key)
 		return Nothing{};
 	return Error{ErrorKind::usage, fmt::format("`{}`: means nothing to the categories of `colormap` {}; leave it out",
@@ -42,6 +44,7 @@ Result<ResolvedLook> resolveLook(const ViewSpec& spec)
 	look.colors = std::move(*colors);
 	if (Status fits = checkCategories(from, look.colors); !fits)
 		return fits.error();
+	look.colors = render::withOpacity(std::move(look.colors), render::opacityPoints(from.opacity_points));
 	look.width = from.size.width;
 	look.height = from.size.height;
 	look.samples = from.samples;
@@ -53,6 +56,16 @@ Result<ResolvedLook> resolveLook(const ViewSpec& spec)
 	look.mesh = from.mesh;
 	look.lit = from.lit;
 	look.legend = !from.no_legend;
+	look.small_view = !from.no_inset;
+	look.text_size = from.text_size;
+	if (!from.font.empty())
+	{
+		Result<const render::Typeface*> font = render::Typeface::find(from.font);
+		if (!font)
+			return Error{font.error().kind, fmt::format("`font` {}: {}", from.font, font.error().message)};
+		look.font = *font;
+	}
+	resolved.captions = !from.no_footer;
 	look.labels = !from.no_labels;
 	look.length_units = from.length_units;
 	look.background = from.background;

@@ -29,7 +29,7 @@ struct File
 	std::string* name;
 };
 
-/// The name of a built-in map, or of a .json file, which is kept in the same way.
+/// The name of something that is built in or installed, or of a .json or font file, which is kept in the same way.
 struct NameOrFile
 {
 	std::string* name;
@@ -97,6 +97,7 @@ enum class Offer : std::uint8_t
 {
 	always,
 	in_space, // commands that draw pictures in space
+	flat,     // commands that draw sheets flat
 	with_cuts // commands that cut
 };
 

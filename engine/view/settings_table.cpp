@@ -31,11 +31,13 @@ Section inputSection(InputSpec& input)
 	    "input",
 	    "",
 	    {{"files", Files{&input.files},
-	      "A file, or demo:NAME[:N]. Several inputs make one data set or one series. Reads " + read::readableEndings(),
+	      "A file, or demo:NAME[:N]. Several inputs make one data set, volume or series. Reads " +
+	          read::readableEndings(),
 	      "INPUT"},
 	     {"inputs", word(&input.inputs_as),
 	      "What several inputs are to each other. blocks: together they are one data set; times: each is a time of a "
-	      "series. auto: times if their names differ by a number alone and their grids are the same, else blocks"},
+	      "series; stack: each is a slice of one volume. auto: stack if they are pictures of two dimensions, times if "
+	      "their names differ by a number alone and their grids are the same, else blocks"},
 	     {"time", written(&input.time, read::parseTime, read::timeText),
 	      "Time to read: last, first, a time (the nearest one that the file has), or #INDEX from 0"},
 	     {"solution", File{&input.solution},
@@ -47,8 +49,16 @@ Section inputSection(InputSpec& input)
 	                  "array's range",
 	                  read::kMaxRefine),
 	      "LEVEL|TOL", Limits{0, read::kMaxRefine}},
-	     {"displace", &input.displace, "Move the points of Exodus files by their displacements times this factor",
-	      "SCALE"},
+	     {"cell_to_point", &input.cell_to_point,
+	      "Take the values of cells to the points, for smooth colors: each point has the mean of its cells. NaN and "
+	      "hidden "
+	      "cells do not count, and names of categories stay in the cells"},
+	     {"displace", &input.displace,
+	      "Move the points by their displacements times this factor (default: 0, or 1 with `displace_by`)", "SCALE"},
+	     {"displace_by", &input.displace_by,
+	      "Point array of three components that holds the displacements (default: the one whose name says so, such as "
+	      "displacement, DISP or DEPL, or U of a solid)",
+	      "NAME"},
 	     {"format", format(&input.format),
 	      "Read INPUT as this format, which vprobe info `formats` lists; otherwise the file tells", "NAME"},
 	     {"raw_size", ofRaw(input, &raw.size, read::parseRawSize, read::rawSizeText),
@@ -101,6 +111,10 @@ Section probeSection(ProbeSpec& probe)
 	      "Component to show: magnitude (the default), x, y or z of a vector, xx, xy and so on of a tensor, or a "
 	      "number from 0",
 	      "N|x|y|z|xx|xy|...|magnitude"},
+	     {"interpolate", word(&probe.interpolate),
+	      "Values between points. nearest: a place has the value of the nearest point; linear: values between those of "
+	      "the points. auto: nearest for labels, which the file calls so, or whose name or few integer values tell it; "
+	      "linear for others"},
 	     {"threshold", pair(&probe.threshold),
 	      "Stop the traversal at cells whose values all lie below LO, or all above HI", "LO HI"},
 	     {"seeds", word(&probe.seeds),
@@ -123,14 +137,20 @@ Section lookSection(LookSpec& look)
 	          "are the reverse (default: grey for scans and images of small integers, otherwise viridis)",
 	          fmt::join(render::colorMapNames(), ", ")),
 	      kMapName},
+	     {"opacity_points", list(&look.opacity_points),
+	      "Opacity by value instead of that of the color map: for each point a place between the ends of the map, 0 to "
+	      "1, and an opacity, 0 to 1. Between two points it is linear. It is multiplied by `opacity`",
+	      "X A...", kShare},
 	     {"color_by", word(&look.color_by),
 	      "Color the polygons by the array, or by the generation in which the traversal met their cells (`seeds` "
 	      "hotspot shows the front)"},
 	     {"range", pair(&look.range), "Values at the ends of the color map (default: those of the whole array)",
 	      "LO HI"},
 	     {"range_of", word(&look.range_of),
-	      "Range of the color map: the values of the whole array (data), or those that the sheets show (slice). auto: "
-	      "of a scan the window that the file names, or all but the outer 0.5 percent of its values; of others data"},
+	      "Range of the color map: the values of the whole array (data), those that the sheets show (slice), or those "
+	      "of "
+	      "the array at all times of the input, which are read first (times). auto: of a scan the window that the file "
+	      "names, or all but the outer 0.5 percent of its values; of others data"},
 	     {"window_level", windowLevel(&look.range),
 	      "The range of the colors as radiologists give it: its width, and the value in its middle", "W L"},
 	     {"mark_out_of_range", &look.mark_out_of_range,
@@ -181,6 +201,29 @@ Section lookSection(LookSpec& look)
 	      contextForms(),
 	      {},
 	      Offer::in_space}}};
+}
+
+// The settings of the text in and around a picture.
+std::vector<Setting> textSettings(LookSpec& look)
+{
+	return {
+	    {"legend_title", &look.legend_title,
+	     "Title above the legend of the array (default: its name and units; \"\" for none)", "TEXT"},
+	    {"text_size", written(&look.text_size, render::parseTextSize, textSizeText),
+	     "Size of the text in pixels, or with pt in points of 4/3 pixels, which is their size on the page of a .pdf "
+	     "(default: it follows from `size`)",
+	     "N|Npt"},
+	    {"font", NameOrFile{&look.font},
+	     "Font of all text: a family that is installed, or a .ttf, .otf or .ttc file (default: DejaVu Sans). Letters "
+	     "that it lacks are taken from other fonts",
+	     "FAMILY|FILE"},
+	    {"no_footer", &look.no_footer, "Leave out the line below the picture that tells the place of the sheet"},
+	    {"no_inset",
+	     &look.no_inset,
+	     "Leave out the small view of the grid beside a flat picture",
+	     "",
+	     {},
+	     Offer::flat}};
 }
 
 Section vectorSection(VectorSpec& vectors, VectorLookSpec& look)
@@ -265,8 +308,10 @@ Section sweepSection(SweepSpec& sweep)
 	          "profile (the benchmark's), times (a frame for each time of the input), or a file (docs/PROBES.md)",
 	          "NAME|FILE.json"},
 	         {"frames", &sweep.frames, "Number of frames", "N", Limits{1, probe::kMaxFrames}},
-	         {"fps", &sweep.frames_per_second, "Frames per second, for films and for paths whose times are in seconds",
-	          "", kAboveZero},
+	         {"fps", &sweep.frames_per_second,
+	          "Frames per second, for films and for paths whose times are in seconds (default: 25, over times 2)", "",
+	          kAboveZero},
+	         {"seconds", &sweep.seconds, "Length of a film; `fps` follows from it", "S", kAboveZero},
 	         {"there_and_back", &sweep.there_and_back, "Go back to the start at the end"}}};
 }
 
@@ -274,9 +319,12 @@ Section sweepSection(SweepSpec& sweep)
 
 std::vector<Section> sectionsOf(ViewSpec& spec)
 {
+	Section look = lookSection(spec.look);
+	for (Setting& setting : textSettings(spec.look))
+		look.settings.push_back(std::move(setting));
 	return {inputSection(spec.input),
 	        probeSection(spec.probe),
-	        lookSection(spec.look),
+	        std::move(look),
 	        vectorSection(spec.probe.vectors, spec.look.vectors),
 	        contourSection(spec.look.contour),
 	        sweepSection(spec.sweep)};
@@ -308,6 +356,10 @@ Section machineSection(ViewSpec& spec)
 	         {"device_memory", Bytes{&machine.device_memory},
 	          "Memory of the device that may be used, in bytes or as 1G, 512M. A picture that needs more is drawn in "
 	          "parts (default: half of what the device has)",
+	          "BYTES", Limits{0.0, kAny}},
+	         {"memory", Bytes{&machine.memory},
+	          "Memory for what is read of files part by part, in bytes or as 1G, 512M. Images that do not fit stay in "
+	          "their file where that has them unpacked, and a cut reads what it meets (default: half of what is free)",
 	          "BYTES", Limits{0.0, kAny}},
 	         {"threads", &machine.threads, "Largest number of threads (default: all cores)", "", Limits{0, 4096}}}};
 }

@@ -2,6 +2,7 @@
 
 #include "probe/json_reader.h"
 #include "probe/path_file.h"
+#include "render/font/typeface.h"
 #include "view/file_places.h"
 #include "view/settings.h"
 #include "view/words.h"
@@ -22,9 +23,9 @@ using probe::JsonReader;
 
 constexpr std::size_t kMaxFiles = 100'000;
 
-bool isJson(const std::string& name)
+bool isFile(const std::string& name)
 {
-	return name.ends_with(".json");
+	return name.ends_with(".json") || render::namesFontFile(name);
 }
 
 // A setting as it stands in the file; null where it is left out.
@@ -67,7 +68,7 @@ struct Writer
 		return names;
 	}
 	json operator()(File one) const { return one.name->empty() ? json() : json(relativeTo(file, *one.name)); }
-	json operator()(NameOrFile one) const { return isJson(*one.name) ? (*this)(File{one.name}) : (*this)(one.name); }
+	json operator()(NameOrFile one) const { return isFile(*one.name) ? (*this)(File{one.name}) : (*this)(one.name); }
 	json operator()(ProbeChoice choice) const
 	{
 		if (choice.probe->shape != ProbeShape::own)
@@ -131,7 +132,7 @@ struct Reader
 	void operator()(File one) const { *one.name = fromState(file, from.text()); }
 	void operator()(NameOrFile one) const
 	{
-		*one.name = isJson(from.text()) ? fromState(file, from.text()) : from.text();
+		*one.name = isFile(from.text()) ? fromState(file, from.text()) : from.text();
 	}
 	void operator()(ProbeChoice choice) const
 	{
@@ -195,9 +196,7 @@ Nothing readDocument(const JsonReader& document, const std::vector<Section>& sec
 	return {};
 }
 
-} // namespace
-
-std::string stateText(const ViewSpec& spec, const std::string& file)
+json stateDocument(const ViewSpec& spec, const std::string& file)
 {
 	json document{{"version", kStateVersion}};
 	// The places of the list are read only.
@@ -205,7 +204,38 @@ std::string stateText(const ViewSpec& spec, const std::string& file)
 		for (const Setting& setting : section.settings)
 			if (json value = std::visit(Writer{file}, setting.place); !value.is_null())
 				document[section.key][setting.key] = std::move(value);
-	return probe::jsonText(document);
+	return document;
+}
+
+bool isUtf8(const json& value)
+try
+{
+	(void)value.dump(); // looks at every text
+	return true;
+}
+catch (const json::type_error&)
+{
+	return false;
+}
+
+// A name in another encoding would come back as that of another file.
+Status refuseOtherEncodings(const json& document, const std::string& file)
+{
+	for (const auto& [section, settings] : document.items())
+		for (const auto& [key, value] : settings.items())
+			if (!isUtf8(value))
+				return Error{ErrorKind::output,
+				             fmt::format("{}: cannot keep /{}/{}, which is not UTF-8; rename the file, or "
+				                         "write the text in UTF-8",
+				                         file, section, key)};
+	return Nothing{};
+}
+
+} // namespace
+
+std::string stateText(const ViewSpec& spec, const std::string& file)
+{
+	return probe::jsonText(stateDocument(spec, file));
 }
 
 Status readState(ViewSpec& spec, std::string_view text, const std::string& file)
@@ -223,10 +253,13 @@ Status readState(ViewSpec& spec, std::string_view text, const std::string& file)
 
 Status saveState(const ViewSpec& spec, const std::string& file)
 {
+	const json document = stateDocument(spec, file);
+	if (Status fits = refuseOtherEncodings(document, file); !fits)
+		return fits;
 	Result<write::AtomicFile> out = write::AtomicFile::create(file, true);
 	if (!out)
 		return out.error();
-	out->write(stateText(spec, file));
+	out->write(probe::jsonText(document));
 	return out->commit();
 }
 

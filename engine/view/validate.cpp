@@ -2,6 +2,7 @@
 
 #include "probe/path_file.h"
 #include "read/formats.h"
+#include "render/color/opacity_points.h"
 #include "view/resolve.h"
 #include "view/settings.h"
 #include "view/words.h"
@@ -173,6 +174,12 @@ Status checkRange(const LookSpec& look)
 	return Nothing{};
 }
 
+Status checkOpacityPoints(const LookSpec& look)
+{
+	const std::string why = render::whyNoOpacityPoints(look.opacity_points);
+	return why.empty() ? Status(Nothing{}) : usage(fmt::format("`opacity_points`: {}", why));
+}
+
 bool isStill(const SurfaceSpec& surface)
 {
 	const auto* range = std::get_if<surface::GridIndexRange>(&surface);
@@ -197,7 +204,7 @@ Status validate(const ViewSpec& spec)
 	for (const Status& fits :
 	     {checkInput(spec.input), checkPlace(spec.probe), checkNumbers(spec), checkShape(spec.probe),
 	      checkSurface(spec), checkVectors(spec.probe), checkContours(spec.look.contour, spec.probe),
-	      checkThreshold(spec.probe), checkRange(spec.look), checkSize(spec.look.size)})
+	      checkThreshold(spec.probe), checkRange(spec.look), checkOpacityPoints(spec.look), checkSize(spec.look.size)})
 		if (!fits)
 			return fits;
 	return Nothing{};

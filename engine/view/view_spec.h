@@ -44,9 +44,11 @@ struct InputSpec
 	std::string solution; // PLOT3D solution file, if its name does not follow from the grid's name
 	// How often the linear parts of curved cells are halved, 0 to read::kMaxRefine; or a tolerance, read::isTolerance()
 	double refine = 0.0;
-	double displace = 0.0; // factor for the displacements of points in Exodus files
-	std::string format;    // a name in read::formats(); if empty, the file tells
-	read::RawLayout raw{}; // layout of raw volumes
+	bool cell_to_point = false;     // arrays of cells become arrays of points
+	std::optional<double> displace; // factor for the displacements of points; empty: 1 if an array is named, else 0
+	std::string displace_by;        // the array of displacements; if empty, its name tells
+	std::string format;             // a name in read::formats(); if empty, the file tells
+	read::RawLayout raw{};          // layout of raw volumes
 
 	bool operator==(const InputSpec&) const = default;
 };
@@ -100,6 +102,13 @@ struct VectorSpec
 
 constexpr int kMaxLattice = 1000; // a screen has fewer pixels than points beyond this
 
+enum class Interpolate : std::uint8_t
+{
+	automatic, // arrays that name categories are not interpolated
+	nearest,   // no array is: a place has the value of the nearest point
+	linear     // every array is
+};
+
 /// The probe that cuts, and the values that it shows.
 struct ProbeSpec
 {
@@ -118,6 +127,7 @@ struct ProbeSpec
 	mesh::Hanging hanging = mesh::Hanging::keep;
 	std::string array;            // the shown array, "[point:|cell:]NAME"; empty: the first array
 	std::optional<int> component; // from 0, or grid::kMagnitude; empty: the magnitude of a vector
+	Interpolate interpolate = Interpolate::automatic;
 	std::optional<find::Threshold> threshold;
 	seed::SeedMode seeds = seed::SeedMode::automatic;
 	seed::OutsidePolicy outside = seed::OutsidePolicy::nearest;
@@ -139,6 +149,7 @@ struct MachineSpec
 	Classify classify = Classify::automatic;
 	std::string device;                        // a part of its name, or its number; empty: the best
 	double device_memory = 0.0;                // bytes of the device that may be used; 0: half of what it has
+	double memory = 0.0;                       // bytes for parts of arrays that stay in files; 0: half of what is free
 	int threads = 0;                           // largest number of threads; 0: one per core
 	std::optional<find::Strategy> strategy{};  // empty: the plan chooses
 	std::optional<find::VisitedSet> visited{}; // if given, cells are found by generations
@@ -164,7 +175,8 @@ enum class RangeOf : std::uint8_t
 {
 	automatic, // the window of a scan, otherwise the whole array
 	data,      // the whole array
-	slice      // what the sheets show
+	slice,     // what the sheets show
+	times      // the array at all times
 };
 
 enum class AxesStyle : std::uint8_t
@@ -205,6 +217,9 @@ struct LookSpec
 	int samples = 8; // per pixel, 1 to render::kMaxSamples
 	// A name, or FILE.json[:PRESET]; a following _r reverses it. Empty: gray for scans, otherwise viridis.
 	std::string colormap;
+	// A place between the ends of the colors and an opacity for each point (render/color/opacity_points.h). Empty: the
+	// opacities of the color map.
+	std::vector<double> opacity_points{};
 	ColorBy color_by = ColorBy::array;
 	std::optional<std::pair<double, double>> range; // range of the colors, lower value first
 	RangeOf range_of = RangeOf::automatic;
@@ -224,9 +239,14 @@ struct LookSpec
 	AxesStyle axes = AxesStyle::corner;
 	bool no_legend = false;
 	bool no_labels = false;
-	std::string units{};                // units of the array; empty: those of the file
-	std::string length_units{};         // units of the coordinates; empty: those of the file
-	std::optional<std::string> title{}; // empty: the name of the input
+	bool no_footer = false;                    // leave out the line with the sheet's place
+	bool no_inset = false;                     // leave out the small view of a flat picture
+	double text_size = 0.0;                    // pixels of an em; 0: it follows from the size of the picture
+	std::string font{};                        // a family, or a file; empty: the font of the program
+	std::optional<std::string> legend_title{}; // empty: the array's name and units
+	std::string units{};                       // units of the array; empty: those of the file
+	std::string length_units{};                // units of the coordinates; empty: those of the file
+	std::optional<std::string> title{};        // empty: the name of the input
 	VectorLookSpec vectors{};
 	ContourSpec contour{};
 
@@ -240,7 +260,8 @@ struct SweepSpec
 	probe::PathKind kind = probe::PathKind::translate;
 	bool over_times = false; // the probe stands still while the input's times go by
 	std::optional<int> frames{};
-	double frames_per_second = 25.0; // above 0
+	std::optional<double> frames_per_second{}; // above 0; empty: framesPerSecond()
+	std::optional<double> seconds{};           // length of a film, above 0
 	bool there_and_back = false;
 
 	bool operator==(const SweepSpec&) const = default;

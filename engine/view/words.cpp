@@ -91,6 +91,11 @@ std::string sizeText(const PictureSize& size)
 	return fmt::format("{}x{}", size.width, size.height);
 }
 
+std::optional<std::string> textSizeText(double size)
+{
+	return size > 0.0 ? std::optional(fmt::format("{}", size)) : std::nullopt;
+}
+
 bool replacesSheets(const SurfaceSpec& surface)
 {
 	return std::holds_alternative<surface::GridIndexRange>(surface) || std::holds_alternative<find::PatchName>(surface);

@@ -103,10 +103,18 @@ struct Names<ColorBy>
 	                                   std::pair{ColorBy::generation, "generation"}};
 };
 template <>
+struct Names<Interpolate>
+{
+	static constexpr std::array kWords{std::pair{Interpolate::automatic, "auto"},
+	                                   std::pair{Interpolate::nearest, "nearest"},
+	                                   std::pair{Interpolate::linear, "linear"}};
+};
+
+template <>
 struct Names<RangeOf>
 {
 	static constexpr std::array kWords{std::pair{RangeOf::automatic, "auto"}, std::pair{RangeOf::data, "data"},
-	                                   std::pair{RangeOf::slice, "slice"}};
+	                                   std::pair{RangeOf::slice, "slice"}, std::pair{RangeOf::times, "times"}};
 };
 template <>
 struct Names<AxesStyle>
@@ -117,9 +125,9 @@ struct Names<AxesStyle>
 template <>
 struct Names<read::InputsAs>
 {
-	static constexpr std::array kWords{std::pair{read::InputsAs::automatic, "auto"},
-	                                   std::pair{read::InputsAs::blocks, "blocks"},
-	                                   std::pair{read::InputsAs::times, "times"}};
+	static constexpr std::array kWords{
+	    std::pair{read::InputsAs::automatic, "auto"}, std::pair{read::InputsAs::blocks, "blocks"},
+	    std::pair{read::InputsAs::times, "times"}, std::pair{read::InputsAs::stack, "stack"}};
 };
 template <>
 struct Names<render::Projection>
@@ -180,5 +188,7 @@ std::string surfaceText(const SurfaceSpec& surface); // empty for planes
 
 Result<PictureSize> parseSize(std::string_view text); // WxH
 std::string sizeText(const PictureSize& size);
+
+std::optional<std::string> textSizeText(double size); // nothing if the size follows from the picture
 
 } // namespace vp::view

@@ -1,11 +1,12 @@
 #include "write/atomic_file.h"
 
 #include "base/input_files.h"
+#include "write/flush.h"
+#include "write/held_name.h"
 #include "write/unfinished.h"
 
 #include <fmt/format.h>
 
-#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -70,16 +71,19 @@ Error isAnInput(const std::string& path)
 // Creates a file of a name no one has. Short, so that a long target name leaves room for it.
 int createBeside(const std::string& target, mode_t mode, std::string& name)
 {
-	static std::atomic<unsigned> counter = 0;
+	const std::string folder = nearestFolder(target);
+	removeLeftovers(folder);
 	const TouchingFiles files;
 	for (;;)
 	{
-		name = fmt::format("{}/.vprobe-{}-{}", nearestFolder(target), getpid(), counter++);
+		name = newHeldName(folder);
 		rememberUnfinished(name); // first: a signal may come as soon as the file is there
 		const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-		if (descriptor >= 0)
+		if (descriptor >= 0 && holdName(descriptor))
 			return descriptor;
-		const int error = errno;
+		const int error = descriptor >= 0 ? EEXIST : errno;
+		if (descriptor >= 0)
+			::close(descriptor);
 		forgetUnfinished(name);
 		if (error != EEXIST)
 		{
@@ -213,8 +217,12 @@ void AtomicFile::write(std::string_view bytes)
 
 Status AtomicFile::close()
 {
-	// Some file systems tell of a full disk only here.
-	if (owns_descriptor_ && descriptor_ >= 0 && ::close(std::exchange(descriptor_, -1)) != 0 && !error_)
+	// Some file systems tell of a full disk only here. A file keeps its lock until it has its name.
+	const bool is_held = !beside_.empty();
+	const int closed = !owns_descriptor_ || descriptor_ < 0 ? -1 : is_held ? dup(descriptor_) : descriptor_;
+	if (!is_held && owns_descriptor_)
+		descriptor_ = -1;
+	if (closed >= 0 && ::close(closed) != 0 && !error_)
 		error_ = errno;
 	return error_ ? Status(cannotWrite(path_, error_)) : Nothing{};
 }
@@ -223,8 +231,16 @@ Status AtomicFile::take(const std::string& file)
 {
 	const TouchingFiles files;
 	struct stat own = {};
-	if (stat(beside_.c_str(), &own) != 0 || std::rename(file.c_str(), beside_.c_str()) != 0)
-		return cannotWrite(path_, errno);
+	const int taken = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+	if (taken < 0 || !holdName(taken) || stat(beside_.c_str(), &own) != 0 ||
+	    std::rename(file.c_str(), beside_.c_str()) != 0)
+	{
+		const int error = errno;
+		if (taken >= 0)
+			::close(taken);
+		return cannotWrite(path_, error);
+	}
+	::close(std::exchange(descriptor_, taken));
 	(void)chmod(beside_.c_str(), own.st_mode & 0777);
 	return Nothing{};
 }
@@ -240,13 +256,21 @@ Status AtomicFile::commit()
 			discard();
 			return free;
 		}
+		const bool replaces = access(target_.c_str(), F_OK) == 0;
+		// Else a machine that stops might have lost the old file, and the new one might be empty.
+		if (replaces)
+			error_ = flushFile(descriptor_);
 		const TouchingFiles files;
 		const std::vector<std::filesystem::path> made = makeFolders(target_);
-		if (std::rename(beside_.c_str(), target_.c_str()) == 0)
+		if (!error_ && std::rename(beside_.c_str(), target_.c_str()) == 0)
+		{
 			forgetUnfinished(std::exchange(beside_, {}));
+			if (replaces)
+				(void)flushFileOrFolder(nearestFolder(target_)); // the old name or the new one is there in any case
+		}
 		else
 		{
-			error_ = errno;
+			error_ = error_ ? error_ : errno;
 			std::error_code ignored;
 			for (const std::filesystem::path& folder : made)
 				std::filesystem::remove(folder, ignored);

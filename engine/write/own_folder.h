@@ -21,9 +21,10 @@ public:
 	const std::string& path() const { return path_; }
 
 private:
-	explicit OwnFolder(std::string path) : path_(std::move(path)) {}
+	OwnFolder(std::string path, int descriptor) : path_(std::move(path)), descriptor_(descriptor) {}
 
 	std::string path_;
+	int descriptor_ = -1; // holds its lock
 };
 
 } // namespace vp::write

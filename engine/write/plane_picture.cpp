@@ -7,13 +7,21 @@
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
 #include <cairo.h>
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
 #include <vector>
 
 namespace vp::write
@@ -36,6 +44,22 @@ cairo_status_t writeCairoBytes(void* file, const unsigned char* bytes, unsigned 
 	return CAIRO_STATUS_SUCCESS;
 }
 
+// A build that is to give the same bytes again sets the date of its files (reproducible-builds.org,
+// SOURCE_DATE_EPOCH): seconds since 1970. Nothing if it is not set, or no number.
+std::optional<std::string> dateOfBuild()
+{
+	const char* text = std::getenv("SOURCE_DATE_EPOCH");
+	if (!text)
+		return std::nullopt;
+	std::int64_t seconds = 0;
+	const char* end = text + std::strlen(text);
+	constexpr std::int64_t kLast = 253402300799; // the year 9999 ends
+	if (const auto [stop, failed] = std::from_chars(text, end, seconds);
+	    stop != end || failed != std::errc() || seconds < 0 || seconds > kLast)
+		return std::nullopt;
+	return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(static_cast<std::time_t>(seconds)));
+}
+
 Surface surfaceFor(const render::Look& look, PictureFormat format, AtomicFile& file)
 {
 	const int width = static_cast<int>(look.width);
@@ -55,6 +79,8 @@ Surface surfaceFor(const render::Look& look, PictureFormat format, AtomicFile& f
 		Surface surface(cairo_pdf_surface_create_for_stream(writeCairoBytes, &file, kPointsPerPixel * width,
 		                                                    kPointsPerPixel * height));
 		cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, render::validUtf8(look.title).c_str());
+		if (const auto date = dateOfBuild())
+			cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, date->c_str());
 		return surface;
 	}
 	}

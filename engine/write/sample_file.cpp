@@ -92,9 +92,7 @@ private:
 		{
 			const grid::Field* field = array.per_block[place.block];
 			if (field)
-				appendNumbers(text, field->type,
-				              field->bytes.data() + cell * field->components * grid::byteSize(field->type),
-				              field->components);
+				appendNumbers(text, field->type, field->tuple(cell), field->components);
 			addNan(text, array.components - (field ? field->components : 0));
 		}
 	}

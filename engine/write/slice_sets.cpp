@@ -81,11 +81,11 @@ Result<SliceSeries> SliceSeries::create(const std::string& path)
 	return SliceSeries(path, std::move(*files));
 }
 
-Status SliceSeries::add(int frame, const SliceTable& table)
+Status SliceSeries::add(int frame, std::optional<double> time, const SliceTable& table)
 {
 	const FileSet::Member part = files_.add(fmt::format("frame_{:04}.vtp", frame));
 	fmt::format_to(std::back_inserter(entries_), "\t\t<DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n",
-	               frame, xmlText(part.name));
+	               time.value_or(frame), xmlText(part.name));
 	return writePart(table, part, path_);
 }
 

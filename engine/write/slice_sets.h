@@ -28,7 +28,8 @@ class SliceSeries
 public:
 	static Result<SliceSeries> create(const std::string& path);
 
-	Status add(int frame, const SliceTable& table);
+	// time: of the input, if the frames are its times; otherwise the number of the frame is the time.
+	Status add(int frame, std::optional<double> time, const SliceTable& table);
 	Status commit();
 
 private:

@@ -90,7 +90,7 @@ Column polygonColumn(Meshes meshes, const SliceTable& table, const SetArray& sou
 			const int known = field ? field->components : 0;
 			const auto cell = static_cast<std::size_t>(table.cell[polygon++]);
 			if (field && field->type == source.type)
-				std::memcpy(at, field->bytes.data() + cell * known * number, known * number);
+				std::memcpy(at, field->tuple(cell), known * number);
 			else
 				for (int c = 0; c < known; ++c) // blocks differ in type, so the column is float64
 					put(at + c * number, source.type, field->value(cell, c));

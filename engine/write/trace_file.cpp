@@ -1,6 +1,7 @@
 #include "write/trace_file.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +26,44 @@ std::string microseconds(std::int64_t ns)
 	return fmt::format("{}.{:03}", ns / 1000, ns % 1000);
 }
 
+// With its quotation marks.
+std::string jsonText(const std::string& text)
+{
+	return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+const char* categoryOf(const Timeline::Section* section)
+{
+	if (!section)
+		return "cpu";
+	switch (section->track)
+	{
+	case Timeline::Track::gpu:
+		return "gpu";
+	case Timeline::Track::worker:
+		return "worker";
+	case Timeline::Track::setup:
+		return "setup";
+	default:
+		return "cpu";
+	}
+}
+
+const char* phaseOf(Timeline::Mark::Kind kind)
+{
+	switch (kind)
+	{
+	case Timeline::Mark::Kind::flow_begin:
+		return "s";
+	case Timeline::Mark::Kind::flow_step:
+		return "t";
+	case Timeline::Mark::Kind::flow_end:
+		return "f";
+	default:
+		return "C";
+	}
+}
+
 } // namespace
 
 Result<TraceFile> TraceFile::create(const std::string& path)
@@ -38,13 +77,15 @@ Result<TraceFile> TraceFile::create(const std::string& path)
 	return trace;
 }
 
-void TraceFile::add(std::vector<Timeline::Section> sections)
+void TraceFile::add(std::vector<Timeline::Section> sections, const std::vector<Timeline::Mark>& marks)
 {
+	for (const Timeline::Mark& mark : marks)
+		writeMark(mark);
 	for (Timeline::Section& section : sections)
 	{
 		const auto [at, is_new] = rows_.try_emplace(section.row);
 		if (is_new)
-			writeName("thread_name", section.row, rowName(section.row));
+			writeRow(section.row);
 		const bool is_top = section.depth == 0;
 		at->second.waiting.push_back(std::move(section));
 		if (is_top)
@@ -126,23 +167,46 @@ void TraceFile::writeEvent(std::uint32_t number, const Event& event)
 {
 	const Timeline::Section* section = event.section;
 	startEvent();
-	text_ += fmt::format(R"({{"name":"{}","cat":"{}","ph":"X","pid":1,"tid":{},"ts":{},"dur":{})",
-	                     section ? section->name : "other",
-	                     section && section->track == Timeline::Track::gpu ? "gpu" : "cpu", number,
+	text_ += fmt::format(R"({{"name":{},"cat":"{}","ph":"X","pid":1,"tid":{},"ts":{},"dur":{})",
+	                     section ? jsonText(section->name) : "\"other\"", categoryOf(section), number,
 	                     microseconds(event.begin), microseconds(event.end - event.begin));
 	if (section && section->cells > 0)
 		text_ += fmt::format(R"(,"args":{{"cells":{}}})", section->cells);
+	else if (section && section->frame != Timeline::kNoFrame)
+		text_ += fmt::format(R"(,"args":{{"frame":{}}})", section->frame);
 	text_ += '}';
-	if (text_.size() < kBufferBytes)
-		return;
-	file_.write(text_);
-	text_.clear();
+	flushFull();
+}
+
+// A point of a flow belongs to the event that lies around it in its row; "bp" says so where the flow ends.
+void TraceFile::writeMark(const Timeline::Mark& mark)
+{
+	startEvent();
+	text_ += fmt::format(R"({{"name":"{}","cat":"{}","ph":"{}","pid":1,"tid":{},"ts":{})", mark.name,
+	                     mark.kind == Timeline::Mark::Kind::counter ? "counter" : "flow", phaseOf(mark.kind), mark.row,
+	                     microseconds(nanoseconds(mark.at_ms)));
+	if (mark.kind == Timeline::Mark::Kind::counter)
+		text_ += fmt::format(R"(,"args":{{"value":{}}}}})", mark.value);
+	else
+		text_ += fmt::format(R"(,"id":{}{}}})", mark.value,
+		                     mark.kind == Timeline::Mark::Kind::flow_end ? R"(,"bp":"e")" : "");
+	flushFull();
 }
 
 void TraceFile::writeName(const char* of, std::uint32_t number, const std::string& name)
 {
 	startEvent();
-	text_ += fmt::format(R"({{"name":"{}","ph":"M","pid":1,"tid":{},"args":{{"name":"{}"}}}})", of, number, name);
+	text_ +=
+	    fmt::format(R"({{"name":"{}","ph":"M","pid":1,"tid":{},"args":{{"name":{}}}}})", of, number, jsonText(name));
+}
+
+// Rows stand in the order of their numbers, not of their names.
+void TraceFile::writeRow(std::uint32_t number)
+{
+	writeName("thread_name", number, rowName(number));
+	startEvent();
+	text_ +=
+	    fmt::format(R"({{"name":"thread_sort_index","ph":"M","pid":1,"tid":{0},"args":{{"sort_index":{0}}}}})", number);
 }
 
 void TraceFile::startEvent()
@@ -151,9 +215,20 @@ void TraceFile::startEvent()
 	has_events_ = true;
 }
 
+void TraceFile::flushFull()
+{
+	if (text_.size() < kBufferBytes)
+		return;
+	file_.write(text_);
+	text_.clear();
+}
+
 Status TraceFile::commit()
 {
-	file_.write(text_ + "\n]}\n");
+	text_ += "\n],\"otherData\":{";
+	for (std::size_t i = 0; i < about_.size(); ++i)
+		text_ += fmt::format("{}\n{}:{}", i > 0 ? "," : "", jsonText(about_[i].first), jsonText(about_[i].second));
+	file_.write(text_ + "\n}}\n");
 	return file_.commit();
 }
 

@@ -32,7 +32,10 @@ VP_CONST uint kRasterGroupSize = 64u; // threads
 VP_CONST uint kRasterRows = 8u;       // threads of a group that work on the rows of one large polygon
 VP_CONST uint kRasterBands = 8u;      // groups that share the rows of a huge polygon
 VP_CONST uint kSubpixels = 256u;      // a pixel's side has so many places for corners: as many as hardware has
-VP_CONST uint kMaxRasterSide = 64u;   // pixels; of larger polygons the edges would not fit into 32 bits
+// Corners beyond this are clipped away, in subpixels: differences of places stay below 2^24, so floats hold them.
+VP_CONST float kFarOutside = 4194304.0;
+VP_CONST float kHugeArea = 65536.0; // a polygon that covers more square pixels is huge
+VP_CONST uint kMaxRasterSide = 64u; // pixels; of larger polygons the edges would not fit into 32 bits
 
 // Its stages. Each takes the polygons that the first one left to it.
 VP_CONST uint kRasterSmall = 0u;

@@ -15,13 +15,16 @@ VP_CONST uint kCodeWalk = 0x20000u; // undecided here: the CPU classifies and wa
 VP_CONST uint kMaxRecordVertices = 6u;
 VP_CONST uint kRecordVertices = 0xFFu;    // the bits of a record's vertices that count them
 VP_CONST uint kHiddenRecordEdge = 0x100u; // << i: the edge from vertex i to the next one is none of the cell's polygon
+// Bits from here on: the width of the whole cell's cut as a multiple of the record's, 2 to the power of 1/256 of them.
+VP_CONST uint kRecordWidthShift = 16u;
+VP_CONST float kRecordWidthSteps = 256.0;
 
 // One polygon as it is drawn. Record i of a sheet in a block belongs to the i-th cell of its traversal, so nothing is
 // allocated on the GPU. A cell that emits nothing has no vertices.
 struct PolygonRecord
 {
 	uint cell;                        // in its block
-	uint vertices;                    // 0, or 3..6; of a polygon in several records with its hidden edges
+	uint vertices;                    // 0, or 3..6; with the edges that are not drawn, and the width of the cell
 	float uv[2 * kMaxRecordVertices]; // in the sheet's frame, from its origin, grid units
 	float value[kMaxRecordVertices];  // values of the shown array; NaN data are kNanValue
 };

@@ -199,7 +199,7 @@ void memory(benchmark::State& state, const std::string& program, const std::stri
 {
 	std::optional<nlohmann::json> figures;
 	for (auto _ : state)
-		figures = profile(program + " profile demo:" + name + " --classify cpu --planes 4 --json -");
+		figures = profile(program + " profile demo:" + name + " --classify cpu --planes 4 --no-floor --json -");
 	if (!figures)
 		return state.SkipWithError("vprobe profile failed");
 	const nlohmann::json& parts = figures->at("memory_bytes");
@@ -212,7 +212,7 @@ void frames(benchmark::State& state, const std::string& program, const std::stri
 	for (auto _ : state)
 		figures = profile(program + " profile demo:" + name +
 		                  " --probe paddlewheel --vanes 3 --opacity 0.6 --samples 1 --size 1280x720 --classify auto "
-		                  "--draw --json -");
+		                  "--draw --no-floor --json -");
 	if (!figures)
 		return state.SkipWithError("vprobe profile failed");
 	state.counters["frame_ms"] = figures->at("frame_ms").at("median").get<double>();

@@ -61,6 +61,37 @@ TEST_F(DrawnVerify, PicturesOfRenderAndSlicePass)
 	EXPECT_FALSE(contains(contents(path("report/index.html")), "<img"));
 }
 
+TEST_F(DrawnVerify, SweepsAreJudgedByThreeFrames)
+{
+	const Arguments small{"--size", "160x120"};
+	ASSERT_TRUE(isQuiet(run(Arguments{"sweep", "demo:shell:8", "--normal", "0.2", "0.1", "1", "--path", "rotate",
+	                                  "--frames", "5", "--save", path("a.json"), "-o", path("{frame}.png")} +
+	                        small)));
+	const auto take = [&](int frame, const char* name)
+	{
+		std::filesystem::copy_file(path(std::to_string(frame) + ".png"), path(name),
+		                           std::filesystem::copy_options::overwrite_existing);
+	};
+	take(0, "a.first.png");
+	take(2, "a.middle.png");
+	take(4, "a.last.png");
+	Outcome outcome = verify({path("a.json")});
+	EXPECT_EQ(outcome.status, 0) << outcome.err;
+	for (const char* name : {"a.first.png", "a.middle.png", "a.last.png"})
+		EXPECT_TRUE(contains(outcome.out, std::string("passed  ") + path(name) + "  equal  [")) << outcome.out;
+	take(3, "a.last.png");
+	outcome = verify({path("a.json")});
+	EXPECT_EQ(outcome.status, 6);
+	EXPECT_TRUE(contains(outcome.out, "differs  " + path("a.last.png"))) << outcome.out;
+	for (const char* name : {"a.first.png", "a.middle.png", "a.last.png"})
+		std::filesystem::remove(path(name));
+	EXPECT_EQ(verify({path("a.json"), "--update"}).status, 0);
+	outcome = verify({path("a.json")});
+	EXPECT_EQ(outcome.status, 0) << outcome.err;
+	take(4, "b.png");
+	EXPECT_EQ(contents(path("b.png")), contents(path("a.last.png")));
+}
+
 TEST_F(DrawnVerify, UpdateWritesWhatIsMissingAndWhatDiffers)
 {
 	save("a", kDrawnShell);

@@ -74,6 +74,30 @@ TEST_F(Export, WhatElseIsInTheFolderStays)
 	EXPECT_NE(contents(path("out/sheet_1.vtp")), "old");
 }
 
+// The pieces of the set before go, and nothing else. The reader finds those of the new one.
+TEST_F(Export, ASetTakesThePlaceOfAnother)
+{
+	ASSERT_TRUE(isQuiet(sweep({"-o", path("out.pvd")})));
+	write("out/notes.txt", "mine");
+	ASSERT_TRUE(isQuiet(run(
+	    Arguments{"sweep", "demo:shell:8", "--classify", "cpu", "--frames", "2", "-o", path("out.pvd")}, noDevice())));
+	EXPECT_EQ(filesIn("out"), (Arguments{"frame_0000-2.vtp", "frame_0001-2.vtp", "notes.txt"}));
+	EXPECT_TRUE(contains(contents(path("out.pvd")), "out/frame_0001-2.vtp"));
+
+	ASSERT_TRUE(isQuiet(run({"convert", "demo:shell:4", "-o", path("set.vtm")})));
+	const std::string before = run({"info", path("set.vtm")}).out;
+	const Arguments pieces = filesIn("set");
+	ASSERT_EQ(pieces.size(), 1u);
+	ASSERT_TRUE(isQuiet(run({"convert", "demo:shell:5", "-o", path("set.vtm")})));
+	EXPECT_EQ(filesIn("set").size(), 1u);
+	EXPECT_NE(filesIn("set"), pieces);
+	EXPECT_NE(run({"info", path("set.vtm")}).out, before);
+	EXPECT_TRUE(isQuiet(run({"info", path("set.vtm")})));
+	ASSERT_TRUE(isQuiet(run({"convert", "demo:shell:4", "-o", path("set.vtm")})));
+	EXPECT_EQ(filesIn("set"), pieces);
+	EXPECT_EQ(run({"info", path("set.vtm")}).out, before);
+}
+
 TEST_F(Export, ErrorsLeaveNothing)
 {
 	EXPECT_TRUE(files().empty());

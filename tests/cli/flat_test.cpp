@@ -1,5 +1,7 @@
 #include "program.h"
+#include "small_font.h"
 
+#include <filesystem>
 #include <sstream>
 
 namespace cli
@@ -29,6 +31,11 @@ TEST_F(Flat, PicturesNeedNoDevice)
 	EXPECT_TRUE(contains(contents(path("a.SVG")), "</svg>"));
 	ASSERT_TRUE(isQuiet(slice({"-o", path("a.pdf"), "--color-by", "generation"})));
 	EXPECT_TRUE(contains(contents(path("a.pdf")), "%%EOF"));
+	// 1 000 000 000 seconds after 1970
+	Surroundings dated = noDevice();
+	dated.environment["SOURCE_DATE_EPOCH"] = "1000000000";
+	ASSERT_TRUE(isQuiet(run({"slice", "demo:shell:8", "--classify", "cpu", "-o", path("a.pdf")}, dated)));
+	EXPECT_TRUE(contains(contents(path("a.pdf")), "20010909014640"));
 	EXPECT_EQ(files(), (Arguments{"a.SVG", "a.pdf", "a.png"}));
 }
 
@@ -50,6 +57,64 @@ TEST_F(Flat, OptionsChangeThePicture)
 	     {Arguments{"--background", "gradient"}, Arguments{"--units", "K"}, Arguments{"--length-units", "m"},
 	      Arguments{"--title", ""}, Arguments{"--mesh"}, Arguments{"--range", "-1", "1"}, Arguments{"--camera", "x"}})
 		EXPECT_NE(plain, picture(options)) << options[0];
+}
+
+TEST_F(Flat, PicturesForPapers)
+{
+	const auto picture = [&](const Arguments& options)
+	{
+		EXPECT_TRUE(isQuiet(slice(Arguments{"-o", path("p.png"), "--size", "500x300"} + options)));
+		return contents(path("p.png"));
+	};
+	const std::string plain = picture({});
+	for (const Arguments& options : {Arguments{"--text-size", "9pt"}, Arguments{"--no-footer"}, Arguments{"--no-inset"},
+	                                 Arguments{"--legend-title", "T / K"},
+	                                 Arguments{"--font", write("f.ttf", vp::test::smallFont("F", {'0', 's'}))}})
+		EXPECT_NE(plain, picture(options)) << options[0];
+	EXPECT_EQ(picture({"--text-size", "9pt"}), picture({"--text-size", "12"}));
+	EXPECT_TRUE(isError(slice({"-o", path("x.png"), "--text-size", "9mm"}), 1, {"--text-size", "9mm", "9pt"}));
+	EXPECT_TRUE(isError(slice({"-o", path("x.png"), "--font", "No Such Family"}), 2, {"--font", "No Such Family"}));
+	EXPECT_TRUE(isError(slice({"-o", path("x.png"), "--font", path("no.ttf")}), 2, {"--font", "no.ttf"}));
+}
+
+// Two letters that only the one installed font has: boxes of their em. Without it one line names them.
+TEST_F(Flat, LettersOfOtherScripts)
+{
+	std::filesystem::create_directory(path("fonts"));
+	write("fonts/small.ttf", vp::test::smallFont("Small Boxes", {0x65ad, 0x9762}));
+	Surroundings with = noDevice();
+	with.environment["FONTCONFIG_FILE"] =
+	    write("with.conf", "<?xml version=\"1.0\"?><fontconfig><dir>" + path("fonts") + "</dir><cachedir>" +
+	                           path("cache") + "</cachedir></fontconfig>");
+	Surroundings without = noDevice();
+	without.environment["FONTCONFIG_FILE"] = write("without.conf", "<?xml version=\"1.0\"?><fontconfig><cachedir>" +
+	                                                                   path("cache") + "</cachedir></fontconfig>");
+	const Arguments titled{"slice",   "demo:shell:8", "--classify", "cpu", "--size",
+	                       "500x300", "--title",      "断面 μ",     "-o",  path("t.svg")};
+	EXPECT_TRUE(isQuiet(run(titled, with)));
+	const std::string boxes = contents(path("t.svg"));
+	EXPECT_TRUE(isDoneWithAWord(run(titled, without),
+	                            {"vprobe: warning: no installed font", "断面", "U+65AD", "U+9762", "--font"}));
+	EXPECT_NE(boxes, contents(path("t.svg")));
+}
+
+// Cells have the mean color at their points, so colors no longer jump.
+TEST_F(Flat, CellsAreSmoothedToPoints)
+{
+	const std::string file = write("two.vtk", "# vtk DataFile Version 3.0\ntwo\nASCII\nDATASET STRUCTURED_POINTS\n"
+	                                          "DIMENSIONS 3 2 2\nORIGIN 0 0 0\nSPACING 1 1 1\nCELL_DATA 2\n"
+	                                          "SCALARS heat float 1\nLOOKUP_TABLE default\n1 4\n");
+	const auto table = [&](const Arguments& options)
+	{
+		const Outcome done = run(Arguments{"slice", file, "--classify", "cpu", "--normal", "z", "-o", "-"} + options);
+		EXPECT_EQ(done.status, 0) << done.err;
+		return done.out;
+	};
+	EXPECT_NE(table({}), table({"--cell-to-point"}));
+	const Outcome line =
+	    run({"slice", file, "--classify", "cpu", "--cell-to-point", "--line", "-1", "0", "1", "0", "-o", "-"});
+	EXPECT_TRUE(contains(line.out, ",2.5")) << line.out; // in the middle, by hand (1 + 4) / 2
+	EXPECT_TRUE(isError(run({"convert", file, "--cell-to-point", "-o", path("x.vtu")}), 1, {"--cell-to-point"}));
 }
 
 TEST_F(Flat, RoundingIsNotWrittenDown)

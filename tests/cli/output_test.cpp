@@ -164,7 +164,9 @@ TEST_F(Output, StandardOutputIsClosed)
 	EXPECT_TRUE(isError(slice({}, closed), 4, {"standard output"}));
 	EXPECT_TRUE(isError(run({"info", "demo:shell:4"}, closed), 4, {"standard output"}));
 	EXPECT_TRUE(isError(run({"--help"}, closed), 4, {"standard output"}));
-	EXPECT_TRUE(isError(run({"--version"}, {.standard_output = "/dev/full"}), 4, {"standard output"}));
+	for (const Arguments& told : {Arguments{"--version"}, Arguments{"--help"}, Arguments{"slice", "--help"}})
+		for (const Surroundings& full : {closed, Surroundings{.standard_output = "/dev/full"}})
+			EXPECT_TRUE(isError(run(told, full), 4, {"standard output"})) << told.back();
 	EXPECT_TRUE(isQuiet(slice({"-o", path("out.vtp")}, {.closed = {0, 1, 2}})));
 	expectWholeVtp(contents(path("out.vtp")), sheet());
 }

@@ -142,35 +142,6 @@ TEST_F(Profile, TheTableIsForPeople)
 	EXPECT_EQ(nlohmann::json::parse(contents(path("p.json"))).at("planes"), 5);
 }
 
-TEST_F(Profile, TraceFollowsItsFormatAndAddsUp)
-{
-	for (const Arguments& probe :
-	     {Arguments{}, Arguments{"--probe", "trihedral", "--window", "3", "3", "--visited", "octants"}})
-	{
-		const Outcome outcome = run(
-		    Arguments{"profile", "demo:shell:24", "--classify", "cpu", "--planes", "20", "--trace", path("t.json")} +
-		    probe);
-		ASSERT_TRUE(isQuiet(outcome));
-		const trace::Rows rows = trace::check(contents(path("t.json")));
-		const auto& events = rows.named("main");
-		std::map<std::string, int> count;
-		for (const trace::Event& event : events)
-		{
-			++count[event.name];
-			EXPECT_EQ(event.category, "cpu");
-			if (event.name == "frame" || event.name == "cut")
-				trace::expectWhole(events, event);
-		}
-		EXPECT_EQ(count["frame"], 20);
-		EXPECT_EQ(count["cut"], 20);
-		EXPECT_EQ(count["seed"], 20);
-		EXPECT_GE(count["build"], 1);
-		EXPECT_EQ(count["classify"] > 0, !probe.empty());
-		EXPECT_EQ(count["classify"], count["expand"]);
-	}
-	EXPECT_EQ(files(), Arguments{"t.json"});
-}
-
 // The trace holds the times from which the figures are computed, to the nanosecond.
 TEST_F(Profile, FiguresAreThoseOfTheTrace)
 {
@@ -209,11 +180,65 @@ TEST_F(Profile, FiguresAreThoseOfTheTrace)
 	            2e-6);
 }
 
-TEST_F(Profile, TraceOnStandardOutput)
+TEST_F(Profile, StagesHaveFaultsAndInstructionsOrAReason)
 {
-	const Outcome outcome = run({"profile", "demo:shell:6", "--classify", "cpu", "--planes", "2", "--trace", "-"});
-	ASSERT_TRUE(isQuiet(outcome));
-	EXPECT_FALSE(trace::check(outcome.out).events.empty());
+	const auto told = profile({"demo:shell:16", "--planes", "5"});
+	const auto& missing = told.at("not_counted");
+	EXPECT_FALSE(missing.contains("pipelines")); // there is no device
+	EXPECT_FALSE(told.contains("pipelines"));
+	const bool counts = !missing.contains("instructions");
+	for (const auto& stage : told.at("stages"))
+	{
+		EXPECT_GE(stage.at("page_faults"), 0.0);
+		EXPECT_GE(stage.at("major_faults"), 0.0);
+		EXPECT_EQ(stage.at("instructions").is_number(), counts) << stage;
+		EXPECT_EQ(stage.at("cache_misses").is_number(), counts) << stage;
+	}
+	if (counts)
+	{
+		EXPECT_GT(stageOf(told, "emit").at("instructions"), told.at("polygons_mean")); // at least one for each
+	}
+	const Outcome table = run({"profile", "demo:shell:16", "--classify", "cpu", "--planes", "2"});
+	ASSERT_TRUE(isQuiet(table));
+	EXPECT_TRUE(contains(table.out, "faults")) << table.out;
+	EXPECT_EQ(contains(table.out, "instructions are not told: "), !counts) << table.out;
+	const auto without = profile({"demo:shell:16", "--planes", "2", "--no-floor"});
+	EXPECT_FALSE(without.contains("not_counted"));
+	EXPECT_FALSE(stageOf(without, "emit").contains("page_faults"));
+}
+
+// By hand: the plane z = const cuts a box of 6 x 6 x 6 cubes in 36 squares with 49 vertices. A vertex has three
+// coordinates and the place on its edge, of 24 bytes each. A square has 4 numbers of vertices and an offset, of 4 bytes
+// each, and its cell, of 8 bytes; one more offset ends the list.
+TEST_F(Profile, BytesAndTimesOfTheFloor)
+{
+	const auto told = profile({"demo:hexes:6", "--normal", "0", "0", "1", "--path", "spin", "--planes", "1"});
+	ASSERT_EQ(told.at("vertices_mean"), 49.0);
+	ASSERT_EQ(told.at("polygons_mean"), 36.0);
+	const auto emit = stageOf(told, "emit");
+	EXPECT_EQ(emit.at("bytes"), 49 * (24 + 24) + 36 * (4 * 4 + 4 + 8) + 4);
+	EXPECT_EQ(emit.at("lines").get<double>() * 64, emit.at("bytes").get<double>());
+	const double bytes_per_ms = 1e-3 * told.at("floor").at("bytes_per_second").get<double>();
+	EXPECT_GT(bytes_per_ms, 1e5); // no memory is slower than 0.1 GB a second
+	EXPECT_NEAR(emit.at("floor_ms").get<double>() * bytes_per_ms, emit.at("bytes").get<double>(), 1.0);
+	EXPECT_NEAR(emit.at("times_floor").get<double>() * emit.at("floor_ms").get<double>(),
+	            emit.at("median").get<double>(), 1e-6);
+	EXPECT_TRUE(stageOf(told, "seed").at("bytes").is_null());
+	EXPECT_TRUE(told.at("floor").at("submit_ms").is_null()); // no device
+	for (const auto& stage : told.at("stages"))
+	{
+		EXPECT_GE(stage.at("cpu_ms"), 0.0);
+		EXPECT_TRUE(stage.at("bound_by").is_string());
+	}
+	EXPECT_GT(stageOf(told, "frame").at("cpu_ms"), 0.0);
+
+	const auto without = profile({"demo:hexes:6", "--no-floor", "--planes", "2"});
+	EXPECT_FALSE(without.contains("floor"));
+	EXPECT_FALSE(stageOf(without, "emit").contains("cpu_ms"));
+	const Outcome table = run({"profile", "demo:hexes:6", "--classify", "cpu", "--planes", "2"});
+	ASSERT_TRUE(isQuiet(table));
+	for (const char* words : {"cores", "floor", "this machine", "GB a second", "a random line", "longest: "})
+		EXPECT_TRUE(contains(table.out, words)) << words << "\n" << table.out;
 }
 
 TEST_F(Profile, PlanesThatMissTheGridAreTold)

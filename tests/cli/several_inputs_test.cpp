@@ -56,6 +56,7 @@ TEST_F(SeveralInputs, NumberedFilesOfOneGridAreTimes)
 	              noDevice())
 	              .status,
 	          0);
+	EXPECT_TRUE(contains(contents(path("s.pvd")), "timestep=\"10\"")); // the files' own times
 	const nlohmann::json frames = nlohmann::json::parse(contents(path("s.json"))).at("frames");
 	ASSERT_EQ(frames.size(), 3u);
 	EXPECT_EQ(frames.at(0).at("sheets").at(0).at("mean"), 20.0);
@@ -68,7 +69,9 @@ TEST_F(SeveralInputs, TheSettingDecides)
 	const Outcome blocks = slice(files + Arguments{"--inputs", "blocks"});
 	EXPECT_EQ(figure(blocks, "area"), 8.0);
 	EXPECT_EQ(figure(blocks, "mean"), 30.0);
-	EXPECT_TRUE(blocks.err.empty()) << blocks.err;
+	// Both count, and a line says so.
+	EXPECT_EQ(figure(blocks, "overlap_area"), 4.0);
+	EXPECT_TRUE(contains(blocks.err, "a_2.vtk and ") && contains(blocks.err, "a_4.vtk overlap")) << blocks.err;
 	// Whatever they are called, and even if the grid moves.
 	const Arguments others{image("first.vtk", 1.0), image("second.vtk", 2.0, 5)};
 	EXPECT_EQ(figure(slice(others + Arguments{"--inputs", "times"}), "mean"), 2.0);

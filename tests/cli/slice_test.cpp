@@ -206,13 +206,25 @@ TEST_F(Slice, TableWhenNothingIsToBeWritten)
 	EXPECT_TRUE(contains(outcome.out, "9"));
 }
 
+TEST_F(Slice, StrictTakesWarningsForFailures)
+{
+	const Arguments beside{"slice", image(),   "--origin",         "100",     "0", "0", "--normal", "x", "--classify",
+	                       "cpu",   "--stats", path("stats.json"), "--strict"};
+	const Outcome outcome = run(beside);
+	EXPECT_EQ(outcome.status, 6);
+	EXPECT_TRUE(contains(outcome.err, "vprobe: warning: ") && contains(outcome.err, "--strict: ")) << outcome.err;
+	EXPECT_FALSE(contents(path("stats.json")).empty()); // its results are there all the same
+	EXPECT_EQ(run({"slice", image(), "--classify", "cpu", "--strict"}).status, 0);
+	EXPECT_EQ(run({"slice", image(), "--array", "nothing", "--classify", "cpu", "--strict"}).status, 2);
+}
+
 TEST_F(Slice, PlaneThatMissesTheGrid)
 {
 	for (const std::string output : {"empty.vtp", "empty.ply", "empty.csv"})
 	{
 		const Outcome outcome = run({"slice", image(), "--origin", "100", "0", "0", "--normal", "x", "--classify",
 		                             "cpu", "-o", path(output), "--stats", path("stats.json")});
-		EXPECT_TRUE(isDoneWithAWord(outcome, {"empty"}));
+		EXPECT_TRUE(isDoneWithAWord(outcome, {"vprobe: warning: ", "empty"}));
 		EXPECT_FALSE(contents(path(output)).empty()) << output;
 		const nlohmann::json sheet = nlohmann::json::parse(contents(path("stats.json")))["sheets"][0];
 		EXPECT_EQ(sheet["cut_cells"], 0);

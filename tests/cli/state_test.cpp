@@ -69,9 +69,7 @@ const Arguments kEverything{"demo:mixed:6",
                             "--time",
                             "first",
                             "--refine",
-                            "1",
-                            "--displace",
-                            "0.5"};
+                            "1"};
 
 } // namespace
 

@@ -74,6 +74,10 @@ TEST_F(Usage, Version)
 	const Outcome version = run({"--version"});
 	EXPECT_TRUE(isQuiet(version));
 	EXPECT_TRUE(contains(version.out, "vprobe ")) << version.out;
+	// It tells what holds the readers here.
+	const std::string second = version.out.substr(version.out.find('\n') + 1);
+	EXPECT_TRUE(contains(second, "sandbox: ") && contains(second, "seccomp")) << version.out;
+	EXPECT_TRUE(contains(run({"--version"}, {.environment = {{"VPROBE_SANDBOX", "off"}}}).out, "sandbox: nothing"));
 }
 
 TEST_F(Usage, NoCommand)

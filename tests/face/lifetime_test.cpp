@@ -94,6 +94,28 @@ TEST(Lifetime, ValuesThatAreChangedInPlaceAreSeen)
 	EXPECT_NEAR(mean(), 2.0 * before, 1e-12);
 }
 
+// Figures are measured when they are asked for. Another interpolation between must not change them.
+TEST(Lifetime, FiguresKeepTheInterpolationOfTheirCut)
+{
+	const Box box(6);
+	const auto data = Dataset::wrap({box.image()}, vprobe::Classify::cpu);
+	ASSERT_TRUE(data);
+	const auto cutWith = [&](const char* interpolate)
+	{
+		View view;
+		EXPECT_TRUE(view.array("value").normal({0.3, 0.5, 0.8}).set("interpolate", interpolate));
+		return data->cut(view);
+	};
+	ASSERT_TRUE(cutWith("linear")); // the cuts that follow share the blocks
+	const auto linear = cutWith("linear");
+	ASSERT_TRUE(linear);
+	const auto nearest = cutWith("nearest");
+	ASSERT_TRUE(nearest);
+	EXPECT_EQ(linear->figures(0).max, cutWith("linear")->figures(0).max);
+	EXPECT_EQ(nearest->figures(0).max, cutWith("nearest")->figures(0).max);
+	EXPECT_NE(linear->figures(0).max, nearest->figures(0).max);
+}
+
 TEST(Lifetime, TwoThreadsCutOneDataSet)
 {
 	const auto data = Dataset::open("demo:tets:8", {.classify = vprobe::Classify::cpu});

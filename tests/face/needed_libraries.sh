@@ -2,7 +2,7 @@
 # Holds the libraries that the library needs by itself against a fixed list, and looks for VTK, HDF5 and a window
 # toolkit among all that come with them. usage: needed_libraries.sh LIBRARY
 set -eu
-known="ld-linux-x86-64 libc libcairo libfmt libfreetype libgcc_s libm libpng16 libstb libstdc++ libtbb libvulkan"
+known="ld-linux-x86-64 libc libcairo libfmt libfontconfig libfreetype libgcc_s libm libpng16 libstb libstdc++ libtbb libvulkan"
 for needed in $(readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(.*\)\].*/\1/p'); do
 	name=${needed%%.so*}
 	case " $known " in

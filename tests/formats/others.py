@@ -23,12 +23,16 @@ import conversion
 import curved
 import damage
 import ensight
+import everyday
 import exodus
 import far
+import labels
 import meshes
 import models
 import odd
+import parts
 import pictures
+import stacked
 import stacks
 import steps
 import volumes
@@ -37,7 +41,8 @@ import volumes
 def chosen_cases():
     cases = (meshes.CASES + volumes.CASES + boxes.CASES + codes.CASES + odd.CASES + steps.CASES + exodus.CASES +
              conversion.CASES + conventions.CASES + far.CASES + stacks.CASES + curved.CASES +
-             ensight.CASES + models.CASES + damage.CASES + pictures.CASES)
+             ensight.CASES + models.CASES + damage.CASES + pictures.CASES + labels.CASES + everyday.CASES +
+             parts.CASES + stacked.CASES)
     wanted = sys.argv[2] if len(sys.argv) > 2 else '1/1'
     part = re.fullmatch(r'(\d+)/(\d+)', wanted)
     if not part:

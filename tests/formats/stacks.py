@@ -33,7 +33,7 @@ def tiff_order_and_units(folder):
     need('tifffile')
     numpy = need('numpy')
     pages = slices(numpy)
-    at_first = ['--normal', '0', '0', '1', '--origin', '1', '1', '0.25']
+    at_first = ['--normal', '0', '0', '1', '--origin', '1', '1', '0.25', '--interpolate', 'linear']
     turned = ''.join(f'<TiffData IFD="{2 - k}" FirstZ="{k}"/>' for k in range(3))
     assert near(cut(ome(folder, 'turned.ome.tif', '', turned, pages), None, *at_first)['mean'], 175)
     # 3 x 2 nm and two steps of 2 um: 6 nm by 4000 nm along x.
@@ -86,7 +86,8 @@ def tiff_bits(folder):
     tifffile, numpy = need('tifffile'), need('numpy')
     mask = lattice(numpy) >= 300
     tifffile.imwrite(folder / 'mask.tif', mask, photometric='minisblack')
-    sheet = cut(folder / 'mask.tif', None, '--normal', '0', '0', '1', '--origin', '1', '1', '2.5')
+    sheet = cut(folder / 'mask.tif', None, '--normal', '0', '0', '1', '--origin', '1', '1', '2.5', '--interpolate',
+                'linear')
     assert near(sheet['mean'], 0.5) and sheet['min'] == sheet['max'] == 0.5, sheet
 
 

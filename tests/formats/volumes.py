@@ -183,6 +183,10 @@ def dicom(folder):
     (series / 'notes.txt').write_text('not an image\n')
     for path in (series, series / '4.dcm'):
         compare(path, reference, [('point:DICOM', 'point:f')])
+    # As the shell lists them, all or a part.
+    files = [series / f'{index}.dcm' for index in (5, 1, 0, 4, 2, 3)]
+    compare(files[0], reference, [('point:DICOM', 'point:f')], files[1:])
+    assert info(*files[3:])['grid']['points'] == 5 * 4 * 3
     (series / '2.dcm').unlink()
     done = subprocess.run([VPROBE, 'info', series], capture_output=True, text=True)
     assert done.returncode == 2 and 'a slice is missing' in done.stderr, done

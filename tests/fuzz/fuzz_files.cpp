@@ -106,8 +106,9 @@ std::string makeDamagedCopy(const DataSet& set, const fs::path& folder, const fs
 	return victim.string() + ": " + what;
 }
 
+// memory: for parts of arrays. With little of it, arrays stay in the file where they can.
 std::vector<std::string> commandLine(const std::string& program, Command command, const std::string& file,
-                                     const fs::path& out)
+                                     const fs::path& out, const std::string& memory = "1G")
 {
 	switch (command)
 	{
@@ -125,6 +126,8 @@ std::vector<std::string> commandLine(const std::string& program, Command command
 		        "0.3",
 		        "0.5",
 		        "0.81",
+		        "--memory",
+		        memory,
 		        "-o",
 		        (out / "cut.vtp").string(),
 		        "--stats",
@@ -166,7 +169,7 @@ void runCase(const Options& options, const std::vector<DataSet>& sets, std::size
 	const std::string damaged = makeDamagedCopy(set, place / "in", input, random);
 	const Command command = random.oneIn(4) ? (random.oneIn(2) ? Command::info : Command::check) : Command::slice;
 	const std::string file = (place / "in" / input).string();
-	const auto line = commandLine(options.program, command, file, place / "out");
+	const auto line = commandLine(options.program, command, file, place / "out", random.oneIn(2) ? "16" : "1G");
 	const ProgramRun run = runProgram(line, (place / "said").string(), timeLimitOf(set));
 	const std::string wrong = judge(command, run, file, place / "out", kBaseMemory + kMemoryPerByte * set.bytes);
 

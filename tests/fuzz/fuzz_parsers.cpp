@@ -1,9 +1,13 @@
 // Feeds the program's own parsers with seeds and with damaged seeds. A crash names the seed and the case to repeat it.
 #include "damage.h"
 #include "parsers.h"
+#include "probe/path_file.h"
+#include "probe/presets.h"
+#include "probe/probe_file.h"
 #include "program_run.h"
 #include "read/child.h"
 #include "sample_files.h"
+#include "view/state_file.h"
 
 #include <fmt/format.h>
 
@@ -89,6 +93,25 @@ std::vector<std::string> tecplotSeeds()
 	            cube + "7\n4 4 4 4 4 4\n1 4 3 2 5 6 7 8 1 2 6 5 2 3 7 6 3 4 8 7 4 1 5 8\n1 1 1 1 1 1\n0 0 0 0 0 0\n"};
 }
 
+// States, probes, paths and color maps, each with most of what it may have.
+std::vector<std::string> jsonSeeds()
+{
+	using namespace vp;
+	std::vector<std::string> seeds = {
+	    R"(K{"Name":"a","ColorSpace":"Lab","NanColor":[1,0,0],"RGBPoints":[0,1,0,0,0.5,0,1,0,1,0,0,1],"Points":[0,0.5,0.5,0,1,1,0.5,0]})",
+	    R"(K[{"Name":"b","IndexedColors":[1,0,0,0,1,0],"Annotations":["1","one","2","two"]}])",
+	    R"(A{"path":"revolve","vanes":6})", R"(J{"version":1,"input":{"files":["a.vtu"]},"probe":{"normal":[0,0,1]}})"};
+	seeds.push_back(seed('B', probe::probeText(probe::trihedral({}))));
+	view::ViewSpec spec;
+	seeds.push_back(seed('J', view::stateText(spec, "state.json")));
+	spec.input.files = {"a.vtu", "demo:shell"};
+	spec.probe.own = probe::ProbeFile{probe::trihedral({}), true};
+	spec.sweep.own.emplace().kind = probe::PathKind::spin;
+	seeds.push_back(seed('J', view::stateText(spec, "state.json")));
+	seeds.push_back(seed('A', probe::pathText(*spec.sweep.own)));
+	return seeds;
+}
+
 std::vector<std::string> makeSeeds()
 {
 	std::vector<std::string> seeds = {"Tlast",
@@ -125,7 +148,7 @@ std::vector<std::string> makeSeeds()
 			    seed('E', fuzz::contentsOf(file) +
 			                  "time set: 1\nnumber of steps: 1\nfilename start number: 0\ntime values: 0.5\n"));
 	}
-	for (auto& all : {foamSeeds(), tecplotSeeds()})
+	for (auto& all : {foamSeeds(), tecplotSeeds(), jsonSeeds()})
 		for (const std::string& each : all)
 			seeds.push_back(each);
 	seeds.push_back(seed('G', fuzz::contentsOf(folder / "gold.geo")));

@@ -1,13 +1,17 @@
 #include "parsers.h"
 
+#include "probe/path_file.h"
+#include "probe/probe_file.h"
 #include "read/build_block.h"
 #include "read/manifest.h"
 #include "read/mapping.h"
 #include "read/read.h"
+#include "render/color/color_map_file.h"
 #include "render/scene/camera.h"
 #include "sample_files.h"
 #include "surface/expression.h"
 #include "surface/grid_index.h"
+#include "view/state_file.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/checks/netcdf_size.h"
 #include "vprobe-read/checks/xml_check.h"
@@ -111,6 +115,39 @@ void feedExpression(std::string_view input)
 	const surface::Interval all = expression->over({at - Vec3(0.5), at + Vec3(0.5)});
 	require(all.contains(value) || (std::isnan(value) && !all.isBounded()));
 	expression->gradient(at);
+}
+
+// A probe that was read, written and read again is the same.
+void feedProbe(std::string_view input)
+{
+	const auto given = probe::parseProbe(input, "probe");
+	if (!given)
+		return require(given.error().message.find('\n') == std::string::npos);
+	const auto again = probe::parseProbe(probe::probeText(given->probe), "again");
+	require(again && again->probe == given->probe);
+}
+
+void feedPath(std::string_view input)
+{
+	const auto given = probe::parsePath(input, "path");
+	if (!given)
+		return require(given.error().message.find('\n') == std::string::npos);
+	const auto again = probe::parsePath(probe::pathText(*given), "again");
+	require(again && *again == *given);
+}
+
+void feedState(std::string_view input)
+{
+	view::ViewSpec given, again;
+	if (const Status read = view::readState(given, input, "state.json"); !read)
+		return require(read.error().message.find('\n') == std::string::npos && given == view::ViewSpec());
+	require(static_cast<bool>(view::readState(again, view::stateText(given, "state.json"), "state.json")));
+}
+
+void feedColorMap(std::string_view input)
+{
+	const auto given = render::parseColorMap(input, "maps.json");
+	require(given || given.error().message.find('\n') == std::string::npos);
 }
 
 // EnSight keeps a case in several files: one of them is the input, the others are sound.
@@ -304,6 +341,14 @@ void feedParser(const std::uint8_t* data, std::size_t size)
 		feedGridIndex(input);
 	else if (which == 'S')
 		feedExpression(input);
+	else if (which == 'J')
+		feedState(input);
+	else if (which == 'B')
+		feedProbe(input);
+	else if (which == 'A')
+		feedPath(input);
+	else if (which == 'K')
+		feedColorMap(input);
 	else if (which == 'F')
 		feedFoam(input);
 	else if (which == 'D')

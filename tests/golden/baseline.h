@@ -4,16 +4,29 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 namespace vp::render::test
 {
 
+// A part of a picture, in pixels; the ends lie behind it.
+struct PictureBox
+{
+	std::uint32_t x0, y0, x1, y1;
+};
+
+Picture partOf(const Picture& picture, const PictureBox& box);
+
 Picture readPng(const std::string& path); // empty where it cannot be read
 
-// Compares the picture with baselines/NAME.png: letters and edges may differ a little between devices, in few
-// pixels. A pixel may have a color of the other picture up to `reach` pixels away. Where VPROBE_UPDATE_GOLDEN is 1, the
-// baseline is written instead. A picture that differs is kept beside the test as NAME.png.
-testing::AssertionResult looksLike(const Picture& picture, const std::string& name, int reach = 0);
+// Compares two pictures of eight samples a pixel as `vprobe verify` does, with its limits.
+testing::AssertionResult passes(const Picture& expected, const Picture& drawn);
+
+// Compares the picture with baselines/NAME.png. Where VPROBE_UPDATE_GOLDEN is 1, the baseline is written instead. A
+// picture that differs is kept beside the test as NAME.png. part: only this part counts.
+testing::AssertionResult looksLike(const Picture& picture, const std::string& name,
+                                   const std::optional<PictureBox>& part = {});
 
 } // namespace vp::render::test

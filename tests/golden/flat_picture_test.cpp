@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cairo.h>
 #include <unistd.h>
 #include <zlib.h>
 
@@ -252,9 +253,16 @@ TEST_F(Flat, LooksAsItDid)
 	flat.scene.look.lines = 7;
 	flat.scene.look.caption = "a caption";
 	flat.scene.look.length_units = "mm";
-	// cairo puts letters on whole pixels, 1.18 and later on quarters of them.
-	constexpr int kReach = 1;
-	EXPECT_TRUE(looksLike(drawn(flat), "flat", kReach));
+	const Picture picture = drawn(flat);
+	// The cairo of the baseline puts letters on whole pixels, 1.18 and later on quarters of them. Then only parts
+	// without letters count: some of the slice, the colors of the legend, and the sheet in its box.
+	const std::vector<PictureBox> parts{{360, 195, 420, 320}, {634, 73, 647, 281}, {660, 345, 755, 440}};
+	for (const PictureBox& part : parts)
+		EXPECT_TRUE(looksLike(picture, "flat", part));
+	if (cairo_version() < CAIRO_VERSION_ENCODE(1, 18, 0))
+	{
+		EXPECT_TRUE(looksLike(picture, "flat"));
+	}
 }
 
 TEST_F(Flat, PolygonsOfVectorFilesKeepTheirPlaces)

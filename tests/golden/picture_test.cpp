@@ -79,6 +79,18 @@ TEST_F(Pictures, OneSheet)
 	}
 }
 
+// The axes in the corner have the letters of the sides that they run to.
+TEST_F(Pictures, ThePatientsSides)
+{
+	const auto outline = boxOutline(1.0);
+	Scene scene = dressed(outline);
+	scene.look.colors = makeColorMap("grey").value();
+	scene.look.axis_names = {"L", "P", "H"};
+	scene.sheets.push_back(square(probe::makeSheet({0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}), 1.0, 1.0, waves, 24));
+	aim(scene, "30,25");
+	EXPECT_TRUE(looksLike(draw(scene), "patient_sides"));
+}
+
 TEST_F(Pictures, ThreeTranslucentSheetsOnBlack)
 {
 	const auto outline = boxOutline(1.0);

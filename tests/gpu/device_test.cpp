@@ -2,6 +2,9 @@
 
 #include "base/timeline.h"
 #include "gpu/commands.h"
+#include "gpu/compile_shader.h"
+#include "gpu/invocations.h"
+#include "gpu/shader.h"
 #include "gpu/timers.h"
 #include "gpu/upload.h"
 
@@ -202,6 +205,44 @@ TEST_F(GpuTest, TimesPassesOnTheTimelinesClock)
 		EXPECT_LE(section.start_ms + section.duration_ms, end + 1.0);
 	}
 	EXPECT_GT(timeline.totalGpu(), 0.0);
+}
+
+// Each group of a dispatch runs the shader as often as its size says.
+TEST_F(GpuTest, CountsInvocationsOfPasses)
+{
+	if (!device().features().pipelineStatisticsQuery)
+		GTEST_SKIP() << device().name() << " does not count invocations";
+	const auto spirv = gpu::compileComputeShader("#version 460\nlayout(local_size_x = 32) in;\nvoid main() {}\n");
+	ASSERT_TRUE(spirv);
+	gpu::ComputePipelineInfo info;
+	info.spirv = *spirv;
+	const auto pipeline = gpu::Pipeline::create(device(), info, "empty");
+	ASSERT_TRUE(pipeline);
+	Timeline timeline;
+	gpu::Timers timers(device());
+	const auto dispatch = [&](const char* pass, std::uint32_t groups)
+	{
+		EXPECT_TRUE(gpu::runOnce(device(), "dispatch",
+		                         [&](VkCommandBuffer commands)
+		                         {
+			                         const gpu::TimedPass timed(timers, commands, pass);
+			                         pipeline->bind(commands);
+			                         vkCmdDispatch(commands, groups, 1, 1);
+		                         }));
+	};
+	dispatch("a", 3); // nobody counts yet
+	gpu::countInvocations(true);
+	for (int i = 0; i < 600; ++i) // more than one pool of queries holds
+		dispatch("a", 5);
+	dispatch("b", 7);
+	gpu::countInvocations(false);
+	dispatch("a", 3);
+	timers.collect(timeline);
+	const gpu::PassInvocations counted = gpu::takeInvocations();
+	ASSERT_EQ(counted.size(), 2u);
+	EXPECT_EQ(counted.at("a"), (gpu::Invocations{.computes = std::uint64_t(600) * 5 * 32}));
+	EXPECT_EQ(counted.at("b"), (gpu::Invocations{.computes = std::uint64_t(7) * 32}));
+	EXPECT_TRUE(gpu::takeInvocations().empty());
 }
 
 } // namespace vp::test

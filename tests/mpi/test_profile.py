@@ -16,7 +16,7 @@ def case(tmp_path):
 
 @pytest.mark.parametrize('ranks', [1, 2, 3])
 def test_work_is_that_of_one_process(programs, case, tmp_path, ranks):
-    measure = ('profile', case, '--planes', 6, '--json')
+    measure = ('profile', case, '--planes', 6, '--no-floor', '--json')
     programs.plain(*measure, tmp_path / 'plain.json')
     programs.mpi(ranks, *measure, tmp_path / 'mpi.json')
     plain = json.loads((tmp_path / 'plain.json').read_text())

@@ -17,7 +17,7 @@ pytestmark = pytest.mark.gpu
 def test_example(example, tmp_path):
     if example.stem == 'vtk_mesh':
         pytest.importorskip('vtkmodules.vtkFiltersCore', reason='no VTK for Python')
-    if example.stem == 'pictures':
+    if example.stem in ('pictures', 'added_arrays'):
         try:
             vprobe.open('demo:shell:8').render(size=(16, 16), samples=1)
         except vprobe.DeviceError as error:
@@ -31,5 +31,5 @@ def test_example(example, tmp_path):
         assert len(list(tmp_path.glob('*.png'))) == 5
 
 
-def test_there_are_five():
-    assert len(EXAMPLES) == 5
+def test_there_are_six():
+    assert len(EXAMPLES) == 6

@@ -63,6 +63,16 @@ def test_arrays_are_shared_and_slices_are_right(kind):
     assert address(arrays['point:value']) == address(values)
 
 
+def test_a_memmap_stays_on_the_disk(tmp_path):
+    _, values = lattice(*N)
+    values.tofile(tmp_path / 'v.raw')
+    mapped = np.memmap(tmp_path / 'v.raw', values.dtype, 'r', shape=values.shape)
+    data = vprobe.image({'value': mapped}, spacing=[1 / (n - 1) for n in N], classify='cpu')
+    piece = data.slice(**PLANE)
+    assert np.abs(piece['value'] - piece.points @ (1.0, 2.0, 3.0)).max() < 1e-12
+    assert address(data.block().arrays['point:value']) == address(mapped)
+
+
 def cross_section():
     """The area of the cut of [0, 1]^3 by a plane through its center, by a polygon of the crossed edges."""
     normal = np.array(PLANE['normal']) / np.linalg.norm(PLANE['normal'])

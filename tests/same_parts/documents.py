@@ -123,6 +123,8 @@ class Documents:
         first = fitted[2] if len(fitted) > 2 else ''
         if '.' in first and not first.startswith(('-', 'demo:', '/')) and first not in files:
             return Fitted(None, {}, f'{first} is not at hand' + ('' if self.data else '; VPROBE_DATA is not set'))
+        if fitted[1] == 'profile' and {'--versus', '--versus-program'} & set(fitted):
+            return Fitted(None, {}, 'all that it prints is measured')
         if fitted[1] == 'view' and not {'--help', '--list-bindings', '--explain'} & set(fitted):
             return Fitted(Step([*fitted, '--commands', 'script', '--size', '640x400'], window=True), files)
         return Fitted(Step(fitted if self.full else shortened(fitted), ranks), files)

@@ -164,6 +164,8 @@ class Scrub(unittest.TestCase):
     def test_json(self):
         self.assertEqual(scrub('s.json', b'{"a": 1.0, "ms": {"x": 2, "y": [3, null]}, "b": [4, {"p95": 5, "c": 6}]}'),
                          b'{"a": 1.0, "ms": {"x": #, "y": [#, #]}, "b": [4, {"p95": #, "c": 6}]}')
+        self.assertEqual(scrub('p.json', b'{"stage": "cut", "page_faults": 7.0, "computes": 64, "instructions": null}'),
+                         b'{"stage": "cut", "page_faults": #, "computes": 64, "instructions": #}')
 
     def test_tables_of_times(self):
         self.assertEqual(scrub('', b'ms a plane   median  p95\nframe   0.774    1.1\n\n12 cells\n'),

@@ -4,12 +4,15 @@ import re
 # Numbers below these keys of JSON are blanked: --stats, profile --json, view --stats.
 MEASURED = {b'"ms"', b'"cut_ms"', b'"frame_ms"', b'"gpu_ms"', b'"setup_ms"', b'"classify_ms"', b'"expand_ms"',
             b'"median"', b'"p95"', b'"noise"', b'"ns_per_cut_cell"', b'"cells_per_second"', b'"break_even_cells"',
-            b'"peak_rss"', b'"peak_mib"', b'"bytes_read"', b'"cpu_s"', b'"reader_cpu_s"'}
+            b'"page_faults"', b'"major_faults"', b'"instructions"', b'"cache_misses"',
+            b'"cpu_ms"', b'"cores"', b'"floor"', b'"floor_ms"', b'"times_floor"', b'"peak_rss"', b'"peak_mib"', b'"bytes_read"', b'"cpu_s"', b'"reader_cpu_s"'}
 # What a window tells of itself: the only number that is not measured.
 OF_WINDOW = b'"validation_messages"'
 JSON_TOKEN = re.compile(rb'"(?:[^"\\]|\\.)*"|[-+0-9.eE]+|[{}\[\]:,]|\s+|[a-z]+|.', re.S)
 DURATION = re.compile(rb'\b\d+(\.\d+)?(e[-+]\d+)? ?((ns|\xc2\xb5s|ms|s|min)\b|(?=(MiB resident|million cut cells a second)\b))')
-TABLE_OF_TIMES = re.compile(rb'^(ms a plane|generation)\b.*')
+TABLE_OF_TIMES = re.compile(rb'^(ms a plane|generation|this machine)\b.*')
+JUDGED = re.compile(rb'"bound_by": *"[a-z]*"')  # a word that follows from times
+JUDGED_LINE = (b'longest: ', b'the floor of ')
 NUMBER = re.compile(rb' *[-+]?\d+(\.\d+)?(e[-+]\d+)?')
 
 
@@ -35,6 +38,7 @@ def is_number(token):
 
 def scrub_json(data):
     """Blanks numbers below keys of what is measured. Everything else, blanks and line ends too, stays as it is."""
+    data = JUDGED.sub(b'"bound_by": #', data)
     out = []
     keys = []  # one for each object and array that is open: whether what is in it is measured
     key, measured = b'', False
@@ -67,6 +71,8 @@ def scrub_text(data):
     lines = []
     in_table = False
     for line in data.split(b'\n'):
+        if line.startswith(JUDGED_LINE):
+            continue
         lines.append(NUMBER.sub(b' #', line) if in_table else DURATION.sub(b'#', line))
         in_table = line.strip() != b'' and (in_table or TABLE_OF_TIMES.match(line) is not None)
     return b'\n'.join(lines)

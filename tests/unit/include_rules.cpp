@@ -20,10 +20,10 @@ namespace
 namespace fs = std::filesystem;
 
 // A folder may use only folders before it.
-const std::vector<std::string> kFolders{"base",   "grid",    "cases",   "read",   "surface", "refine",   "probe",
-                                        "locate", "seed",    "find",    "mesh",   "gpu",     "classify", "measure",
-                                        "cut",    "contour", "vectors", "render", "write",   "interact", "view",
-                                        "ranks",  "session", "picture", "api"};
+const std::vector<std::string> kFolders{"base",    "parts",  "grid",    "cases",   "read",   "surface", "refine",
+                                        "probe",   "locate", "seed",    "find",    "mesh",   "gpu",     "classify",
+                                        "measure", "cut",    "contour", "vectors", "render", "write",   "interact",
+                                        "view",    "ranks",  "session", "picture", "api"};
 
 // Rooms inside a folder, in the order in which they may use each other; "" are the files of the folder itself.
 struct Rooms
@@ -39,7 +39,7 @@ const std::vector<Rooms> kInnerRooms{
     {"apps/vprobe", "viewer", {"screen", "cutting", "document", "pointer", "panels", ""}},
     {"apps",
      "vprobe-read",
-     {"base", "door", "text", "checks", "hdf5", "arrays", "cells", "quick", "convert", "manifest", "boxes", "formats",
+     {"base", "door", "text", "checks", "arrays", "quick", "hdf5", "cells", "convert", "manifest", "boxes", "formats",
       "formats/vtk", "formats/wrapped", "formats/volumes", "formats/meshes", "formats/codes", ""}}};
 
 const fs::path kRoot = VPROBE_SOURCE_DIR;

@@ -234,6 +234,18 @@ void Desktop::press(const std::string& keys) const
 	xdotool("key " + keys + "\n");
 }
 
+void Desktop::searchFor(const std::string& text)
+{
+	const Area field{310, 70, 390, 60};
+	const vp::render::Picture before = rest(field);
+	press("ctrl+k");
+	if (!eventually([&] { return difference(before, seen(field)) > 0.3; }))
+		throw std::runtime_error("the search for commands does not open");
+	rest(field);
+	xdotool("type --delay 60 '" + text + "'\n");
+	settle();
+}
+
 vp::render::Picture Desktop::rest(const Area& area) const
 {
 	constexpr double kQuiet = 0.3; // the window shows what it has at least this often

@@ -44,6 +44,7 @@ protected:
 	void drag(const glm::ivec2& from, const glm::ivec2& to, int button = 1) const;
 	void wheel(int notches) const;             // > 0: away from the user
 	void press(const std::string& keys) const; // as xdotool writes them: "ctrl+s"
+	void searchFor(const std::string& text);   // types into the search for commands, once it is there
 	std::string window() const { return window_; }
 	std::string displayName() const { return display_; }
 

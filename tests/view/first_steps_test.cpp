@@ -26,17 +26,6 @@ protected:
 	{
 		return nlohmann::json::parse(cli::contents(path("config") + "/volume-probes/view.json"));
 	}
-	// Types into the search for commands, once it is there.
-	void searchFor(const std::string& text)
-	{
-		const Area field{310, 70, 390, 60};
-		const vp::render::Picture before = rest(field);
-		press("ctrl+k");
-		EXPECT_TRUE(eventually([&] { return difference(before, seen(field)) > 0.3; }));
-		rest(field);
-		xdotool("type --delay 60 '" + text + "'\n");
-		settle();
-	}
 	void click(const glm::ivec2& at) const
 	{
 		moveTo(at);
@@ -98,6 +87,20 @@ TEST_F(FirstSteps, HintsCanBeReadAndSentAway)
 	act("hints");
 	close();
 	EXPECT_EQ(settings()["hints"], false);
+}
+
+// Once the sheet was dragged, the hint about it is over.
+TEST_F(FirstSteps, HintsGoOnWhenTheStepIsDone)
+{
+	open({"demo:blob:8", "--normal", "z"});
+	const vp::render::Picture first = rest(kHint);
+	act("turn_x_plus"); // not what the hint says
+	settle();
+	EXPECT_LT(difference(rest(kHint), first), 0.01);
+	drag({180, 420}, {180, 380}); // the sheet, beside the handles
+	settle();
+	EXPECT_TRUE(eventually([&] { return difference(seen(kHint), first) > 0.2; }));
+	close();
 }
 
 TEST_F(FirstSteps, ACommandIsFoundByItsName)

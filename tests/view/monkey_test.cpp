@@ -28,6 +28,7 @@ bool isLeftOut(Action action)
 	case Action::save_picture:
 	case Action::save_film:
 	case Action::save_slice:
+	case Action::save_color_map:
 		return true;
 	default:
 		return false;

@@ -173,7 +173,7 @@ TEST_F(WindowOfTheDesktop, FinishesItsFilesWhenItIsAskedToEnd)
 	command("save-slice " + path("cut.vtp"));
 	state(); // so the line before it was heard
 	program().interrupt(SIGTERM);
-	EXPECT_EQ(program().waitFor(kPatience), 130);
+	EXPECT_EQ(program().waitFor(kPatience), 143);
 	EXPECT_EQ(err(), "");
 	EXPECT_TRUE(cli::contents(path("cut.vtp")).ends_with("</VTKFile>\n"));
 }

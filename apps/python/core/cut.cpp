@@ -1,6 +1,7 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "work.h"
+#include "wrap.h"
 
 #include <vprobe/cut.h>
 
@@ -102,6 +103,15 @@ py::dict figuresOf(const vprobe::Figures& figures)
 	                "cut_cells"_a = figures.cut_cells);
 }
 
+Cut withOwn(const Cut& cut, std::size_t sheet, const vprobe::View& view, const py::dict& polygons)
+{
+	within(sheet, cut.sheetCount());
+	const auto numbers = [&](const char* name) { return numbersOf(polygons[name], name); };
+	const vprobe::OwnPolygons own{numbers("points"), numbers("offsets"), numbers("connectivity"),
+	                              numbers("cells"),  numbers("blocks"),  fieldsOf(polygons["fields"])};
+	return run([cut, sheet, view, own](std::stop_token) { return cut.withOwn(sheet, view, own); });
+}
+
 } // namespace
 
 void addCut(py::module_& module)
@@ -124,6 +134,7 @@ void addCut(py::module_& module)
 	         [](const Cut& cut, std::size_t number) { return cut.contourValue(within(number, cut.contourCount())); })
 	    .def("contour",
 	         [](const Cut& cut, std::size_t number) { return cut.contour(within(number, cut.contourCount())); })
+	    .def("with_own", withOwn)
 	    .def("save", [](const Cut& cut, const std::string& file)
 	         { run([cut, file](std::stop_token) { return cut.save(file); }); });
 }

@@ -21,7 +21,7 @@ using vprobe::Cut;
 using vprobe::Dataset;
 using vprobe::View;
 
-// What takes no time, but may have to wait for another call on the data set.
+// Makes a call that takes no time, but may have to wait for another call on the data set.
 template <class Work>
 auto ask(Work work)
 {
@@ -41,18 +41,22 @@ vprobe::Classify classifyOf(const std::string& word)
 }
 
 Dataset openFiles(std::vector<std::string> files, std::string time, std::string solution, double refine,
-                  double displace, std::string format, std::string inputs, const std::string& classify,
-                  std::string device, const py::object& progress)
+                  std::optional<double> displace, std::string displace_by, std::string format, std::string inputs,
+                  const std::string& classify, std::string device, bool cell_to_point, std::vector<std::string> follow,
+                  const py::object& progress)
 {
 	vprobe::OpenOptions options{.time = std::move(time),
 	                            .solution = std::move(solution),
 	                            .refine = refine,
 	                            .displace = displace,
+	                            .displace_by = std::move(displace_by),
 	                            .format = std::move(format),
 	                            .classify = classifyOf(classify),
 	                            .device = std::move(device),
 	                            .stop = {},
-	                            .inputs = std::move(inputs)};
+	                            .inputs = std::move(inputs),
+	                            .cell_to_point = cell_to_point,
+	                            .follow = std::move(follow)};
 	return run(
 	    [files = std::move(files), options = std::move(options)](std::stop_token stop) mutable
 	    {
@@ -100,7 +104,7 @@ py::array sharedTuples(const vprobe::Numbers& numbers, int components)
 	return components == 1 ? sharedArray(numbers, {tuples}) : sharedArray(numbers, {tuples, components});
 }
 
-// (name, coordinates, connectivity or None, {"point:NAME" or "cell:NAME": values})
+// (name, coordinates, connectivity or None, {"point:NAME" or "cell:NAME": values}, points, cells)
 py::tuple blockOf(const Dataset& data, std::size_t index)
 {
 	if (index >= ask([data] { return data.blockCount(); }))
@@ -115,7 +119,8 @@ py::tuple blockOf(const Dataset& data, std::size_t index)
 		    sharedTuples(field.values, field.components);
 	const bool has_cells = block.connectivity.data != nullptr;
 	return py::make_tuple(block.name, coordinates,
-	                      has_cells ? py::object(sharedTuples(block.connectivity, 1)) : py::none(), fields);
+	                      has_cells ? py::object(sharedTuples(block.connectivity, 1)) : py::none(), fields,
+	                      block.points, block.cells);
 }
 
 py::list planOf(const Dataset& data, const View& view)
@@ -184,8 +189,8 @@ void addDataset(py::module_& module)
 {
 	using namespace py::literals;
 	py::class_<Dataset>(module, "Dataset")
-	    .def_static("open", openFiles, "files"_a, "time"_a, "solution"_a, "refine"_a, "displace"_a, "format"_a,
-	                "inputs"_a, "classify"_a, "device"_a, "progress"_a)
+	    .def_static("open", openFiles, "files"_a, "time"_a, "solution"_a, "refine"_a, "displace"_a, "displace_by"_a,
+	                "format"_a, "inputs"_a, "classify"_a, "device"_a, "cell_to_point"_a, "follow"_a, "progress"_a)
 	    .def_static("wrap", wrapBlocks, "blocks"_a, "classify"_a, "device"_a)
 	    .def_property_readonly("kind", [](const Dataset& data) { return ask([data] { return data.kind(); }); })
 	    .def_property_readonly("cell_count",
@@ -210,6 +215,12 @@ void addDataset(py::module_& module)
 		         run([data, fields = std::move(fields)](std::stop_token) mutable
 		             { return Dataset(data).setFields(std::move(fields)); });
 	         })
+	    .def("set_array",
+	         [](const Dataset& data, const py::list& fields)
+	         {
+		         run([data, fields = fieldsOf(fields)](std::stop_token) mutable
+		             { return Dataset(data).setArray(std::move(fields)); });
+	         })
 	    .def(
 	        "cut",
 	        [](const Dataset& data, const View& view, const py::object& progress)
@@ -223,6 +234,20 @@ void addDataset(py::module_& module)
 	    .def("frame", frameOf, "view"_a, "index"_a, "draws"_a, "progress"_a = py::none());
 	module.def("png", [](const py::array_t<std::uint8_t, py::array::c_style>& pixels)
 	           { return py::bytes(run([image = imageOf(pixels)](std::stop_token) { return image.png(); })); });
+	module.def("difference",
+	           [](const py::array_t<std::uint8_t, py::array::c_style>& pixels, const std::string& expected)
+	           {
+		           const vprobe::ImageDifference difference = run([image = imageOf(pixels), expected](std::stop_token)
+		                                                          { return image.differenceFrom(expected); });
+		           return py::make_tuple(difference.similarity, difference.mean, difference.text);
+	           });
+	module.def("save_difference",
+	           [](const py::array_t<std::uint8_t, py::array::c_style>& pixels, const std::string& expected,
+	              const std::string& file)
+	           {
+		           run([image = imageOf(pixels), expected, file](std::stop_token)
+		               { return image.saveDifferenceFrom(expected, file); });
+	           });
 	module.def("save_png", [](const py::array_t<std::uint8_t, py::array::c_style>& pixels, const std::string& file)
 	           { run([image = imageOf(pixels), file](std::stop_token) { return image.save(file); }); });
 }

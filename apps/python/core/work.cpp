@@ -1,6 +1,7 @@
 #include "work.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <iterator>
@@ -47,12 +48,28 @@ Strays& strays()
 	return *all;
 }
 
+std::atomic<int> under_way = 0; // calls of the library, in any thread
+bool is_cut_off = false;        // this process was forked while threads were at work, which it lacks
+
+// Counts a call.
+class UnderWay
+{
+public:
+	UnderWay() { ++under_way; }
+	~UnderWay() { --under_way; }
+	UnderWay(const UnderWay&) = delete;
+	UnderWay& operator=(const UnderWay&) = delete;
+};
+
 void perform(Job& job)
 {
-	running = &job;
-	job.work(job.stop.get_token());
-	running = nullptr;
-	job.work = {}; // may let go of arrays, which waits for the GIL
+	{
+		const UnderWay counted;
+		running = &job;
+		job.work(job.stop.get_token());
+		running = nullptr;
+		job.work = {}; // may let go of arrays, which waits for the GIL
+	}
 	const std::lock_guard lock(job.mutex);
 	job.done = true;
 	job.changed.notify_all();
@@ -66,10 +83,27 @@ public:
 	{
 		const std::lock_guard lock(mutex_);
 		if (waiting_.size() >= idle_)
-			std::thread([this] { serve(); }).detach(); // throws where there can be no more
+			threads_.emplace_back([this] { serve(); }); // throws where there can be no more
 		waiting_.push_back(std::move(job));
 		++busy_;
 		wake_.notify_one();
+	}
+	// Ends the threads that wait. Returns false where one is at work.
+	bool endIdle()
+	{
+		{
+			std::unique_lock lock(mutex_);
+			// A thread whose call has returned may not yet have noted that it is done.
+			if (!idle_now_.wait_for(lock, kGrace, [&] { return busy_ == 0; }))
+				return false;
+			ends_ = true;
+			wake_.notify_all();
+		}
+		for (std::thread& thread : threads_)
+			thread.join();
+		threads_.clear();
+		ends_ = false;
+		return true;
 	}
 	void stopAll()
 	{
@@ -87,8 +121,10 @@ private:
 		while (true)
 		{
 			++idle_;
-			wake_.wait(lock, [&] { return !waiting_.empty(); });
+			wake_.wait(lock, [&] { return !waiting_.empty() || ends_; });
 			--idle_;
+			if (waiting_.empty())
+				return;
 			std::shared_ptr<Job> job = std::move(waiting_.back());
 			waiting_.pop_back();
 			std::erase_if(started_, [](const std::weak_ptr<Job>& each) { return each.expired(); });
@@ -104,6 +140,8 @@ private:
 
 	std::mutex mutex_;
 	std::condition_variable wake_, idle_now_;
+	std::vector<std::thread> threads_;
+	bool ends_ = false;
 	std::vector<std::shared_ptr<Job>> waiting_;
 	std::vector<std::weak_ptr<Job>> started_;
 	std::size_t idle_ = 0;
@@ -111,6 +149,22 @@ private:
 };
 
 Workers* workers = new Workers; // lives to the end; a child process has threads of its own
+
+// A child has none of the threads that wait for work, so they end before. Where one is at work, as one that reads a
+// file by a process of its own, they stay: that child has no use for them.
+bool is_ready_to_fork = false;
+
+void beforeFork()
+{
+	is_ready_to_fork = !is_cut_off && under_way == 0 && workers->endIdle() && vprobe::endIdleThreads();
+}
+
+void afterForkInChild()
+{
+	workers = new Workers;
+	under_way = 0;
+	is_cut_off = !is_ready_to_fork;
+}
 
 void warnAll(std::vector<std::string> lines)
 {
@@ -169,18 +223,54 @@ void awaitStop(Job& job)
 	job.changed.wait_for(lock, kGrace, [&] { return job.done; });
 }
 
+// A text of bytes that need not be UTF-8, such as names of files.
+py::object textOf(const std::string& bytes)
+{
+	return py::reinterpret_steal<py::object>(
+	    PyUnicode_DecodeUTF8(bytes.data(), static_cast<py::ssize_t>(bytes.size()), "replace"));
+}
+
 } // namespace
 
 void raise(const vprobe::Error& error)
 {
 	const py::object errors = py::module_::import("vprobe._errors");
 	const py::object kind = errors.attr("BY_KIND")[py::int_(static_cast<int>(error.kind))];
-	PyErr_SetString(kind.ptr(), error.message.c_str());
+	// One line, whatever the names in it hold.
+	std::string line = error.message;
+	std::replace_if(
+	    line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+	PyErr_SetObject(kind.ptr(), textOf(line).ptr());
 	throw py::error_already_set();
+}
+
+namespace
+{
+
+void requireThreads()
+{
+	if (is_cut_off)
+		raise({vprobe::ErrorKind::usage,
+		       "this process was forked while threads of vprobe were at work, which it lacks; "
+		       "start it with multiprocessing.get_context(\"spawn\")"});
+}
+
+} // namespace
+
+BriefCall::BriefCall()
+{
+	requireThreads();
+	++under_way;
+}
+
+BriefCall::~BriefCall()
+{
+	--under_way;
 }
 
 void runInterruptibly(std::function<void(std::stop_token)> work, const py::object& progress)
 {
+	requireThreads();
 	const auto job = std::make_shared<Job>();
 	job->work = std::move(work);
 	const bool is_main_thread = gettid() == getpid(); // which alone is told of signals
@@ -230,7 +320,7 @@ void startListening(py::module_& module)
 		    running->told = false;
 		    running->changed.notify_all();
 	    });
-	pthread_atfork(nullptr, nullptr, [] { workers = new Workers; });
+	pthread_atfork(beforeFork, nullptr, afterForkInChild);
 	py::module_::import("atexit").attr("register")(py::cpp_function(
 	    []
 	    {

@@ -58,10 +58,21 @@ auto run(Work work, const py::object& progress = py::none())
 	return valueOf(std::move(**outcome));
 }
 
+// Counts a call as under way; throws UsageError in a process that lacks the library's threads.
+class BriefCall
+{
+public:
+	BriefCall();
+	~BriefCall();
+	BriefCall(const BriefCall&) = delete;
+	BriefCall& operator=(const BriefCall&) = delete;
+};
+
 // Runs what takes little time, without the GIL.
 template <class Work>
 auto runBriefly(Work&& work)
 {
+	const BriefCall counted;
 	const py::gil_scoped_release released;
 	return work();
 }

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from ._arguments import flag, number, text
 from ._answers import ArrayInfo, Block, Frame, Memory, PlanRow, Samples
 from ._core import __version__
 from ._dataset import Dataset
@@ -19,7 +20,8 @@ from ._grids import image, polyhedra, rectilinear, structured, unstructured
 from ._open import open
 from ._picture import Image
 from ._probe import Probe, Sheet
-from ._slice import Cut, Polygons, Slice, Traces
+from ._slice import Cut, Polygons, Slice
+from ._traces import Traces
 
 __all__ = [
     'ArrayInfo', 'Block', 'CancelledError', 'Cut', 'Dataset', 'DeviceError', 'Error', 'FoundError', 'Frame', 'Image',
@@ -59,4 +61,5 @@ def wrap(mesh: Any, *, copy: bool = False, tolerance: float = 0.0, classify: str
     `Dataset.modified`.
     """
     from ._vtk_grids import wrap_vtk
-    return wrap_vtk(mesh, copy, tolerance, classify, device)
+    return wrap_vtk(mesh, flag(copy, 'copy'), number(tolerance, 'tolerance'), text(classify, 'classify'),
+                    text(device, 'device'))

@@ -25,13 +25,16 @@ class Block(NamedTuple):
     """What a data set holds of a block.
 
     `coordinates` are the points, (n, 3); of a rectilinear grid its three axes; of an image none. `connectivity` is that
-    of an unstructured grid, until it is copied. `arrays` have names such as ``point:p``.
+    of an unstructured grid, until it is copied. `arrays` have names such as ``point:p``; they have a value for each of
+    `n_points` points or `n_cells` cells.
     """
 
     name: str
     coordinates: List[Array]
     connectivity: Optional[Array]
     arrays: Dict[str, Array]
+    n_points: int
+    n_cells: int
 
 
 class Memory(NamedTuple):

@@ -4,17 +4,19 @@ from __future__ import annotations
 import json
 from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
 
-import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._answers import ArrayInfo, Block, Frame, Memory, PlanRow, Samples
+from ._answers import Frame, PlanRow, Samples
+from ._arguments import flag, number, shown, texts, whole
+from ._contents import Contents
 from ._errors import InputError, UsageError
 from ._masks import places
 from ._picture import Image
 from ._probe import Probe, Vector
-from ._settings import Progress, listener, put, text_of, view_of
-from ._slice import Cut, Slice, Traces
+from ._settings import Progress, listener, put, view_of
+from ._slice import Cut, Slice
+from ._traces import Traces
 
 if TYPE_CHECKING:
     from ._notebook import Viewer
@@ -22,7 +24,13 @@ if TYPE_CHECKING:
 Direction = Union[str, Vector]
 
 
-class Dataset:
+def _uncopied(piece: Any, what: str) -> Any:
+    if isinstance(piece, Slice) and piece._cut is None:
+        raise UsageError(f'{what}: a copy cannot be; it takes a slice of this data set, as the one that was copied')
+    return piece
+
+
+class Dataset(Contents):
     """Grids with arrays. Make one by `vprobe.open`, `vprobe.wrap`, or from numpy arrays by `vprobe.structured` and others.
 
     Several threads may use one: their calls wait for each other. All calls that take their time let other threads of
@@ -31,60 +39,6 @@ class Dataset:
     Any setting of the program is a keyword argument here, by the name of its option with ``_`` for ``-``; the page
     docs/PYTHON.md lists them. A setting that cannot be raises UsageError.
     """
-
-    def __init__(self, core: _core.Dataset, source: Any = None) -> None:
-        self._core = core
-        self._source = source
-
-    # What it is.
-
-    @property
-    def kind(self) -> str:
-        """``image``, ``rectilinear``, ``curvilinear``, ``unstructured``, ``block-structured`` or ``hybrid``."""
-        return self._core.kind
-
-    @property
-    def n_cells(self) -> int:
-        """Cells, as the input counts them."""
-        return self._core.cell_count
-
-    @property
-    def n_points(self) -> int:
-        """Points, as the input counts them."""
-        return self._core.point_count
-
-    @property
-    def n_blocks(self) -> int:
-        """Grids that it is made of."""
-        return self._core.block_count
-
-    @property
-    def bounds(self) -> Tuple[float, float, float, float, float, float]:
-        """Low and high of x, y and z, in the grid's units, in VTK's order."""
-        low, high = self._core.bounds
-        return low[0], high[0], low[1], high[1], low[2], high[2]
-
-    @property
-    def times(self) -> Tuple[float, ...]:
-        """The times that the files offer, ascending."""
-        return tuple(self._core.times)
-
-    @property
-    def arrays(self) -> Tuple[ArrayInfo, ...]:
-        """What arrays there are."""
-        return tuple(ArrayInfo(*row) for row in self._core.arrays())
-
-    def block(self, index: int = 0) -> Block:
-        """The arrays that it holds of a block, as read-only views. Where they are shared, they are the caller's."""
-        return Block(*self._core.block(index))
-
-    def memory(self) -> Memory:
-        """What it holds, in bytes, and whether points and cells are still shared."""
-        return Memory(**self._core.memory())
-
-    def modified(self) -> None:
-        """Values of wrapped arrays were changed in place. Slices that were made before may show either."""
-        self._core.modified()
 
     # Cuts.
 
@@ -175,7 +129,7 @@ class Dataset:
         """
         known: Dict[str, Any] = dict(
             surface=surface, normal=normal, origin=origin, up=up, array=array, component=component, window=window,
-            threshold=threshold, crinkle=crinkle or None)
+            threshold=threshold, crinkle=flag(crinkle, 'crinkle') or None)
         return self.cut(progress=progress, **known, **settings)[0]
 
     def slice_orthogonal(self, **settings: Any) -> Cut:
@@ -194,7 +148,7 @@ class Dataset:
         **settings
             As of `cut`.
         """
-        return self.cut(Probe.stack(n, normal=axis), **settings)
+        return self.cut(Probe.stack(whole(n, 'n'), normal=axis), **settings)
 
     def isosurface(self, value: float, array: Optional[str] = None, **settings: Any) -> Slice:
         """The surface on which a point array has a value.
@@ -208,14 +162,15 @@ class Dataset:
         **settings
             As of `cut`.
         """
-        return self.cut(surface=f'iso:{float(value)!r}', array=array, **settings)[0]
+        return self.cut(surface=f'iso:{number(value, "value")!r}', array=array, **settings)[0]
 
     def _view_of(self, piece: Slice, what: str) -> _core.View:
         """The view of this one sheet."""
-        if piece._data is not self or piece._view is None or piece._cut is None or piece.value is not None:
-            raise UsageError(f'{what}: takes a slice of this data set, as slice() and cut() give it')
+        if not isinstance(piece, Slice) or piece._data is not self or piece._view is None or piece.value is not None:
+            raise UsageError(f'{what}: {shown(piece)} cannot be; it takes a slice of this data set, as slice() and cut() '
+                             'give it')
         view = _core.View(piece._view)
-        if piece._cut.sheet_count > 1:
+        if piece._source.sheet_count > 1:
             sheets = json.loads(self._core.probe_text(view))
             sheets['sheets'] = [sheets['sheets'][piece._sheet]]
             state = json.loads(view.json())
@@ -248,10 +203,10 @@ class Dataset:
         UsageError
             Where the slice does not have the value, or is no plane.
         """
-        view = self._view_of(piece, 'grow_contour')
-        view.set('contour', repr(float(value)))
+        view = self._view_of(_uncopied(piece, 'grow_contour'), 'grow_contour')
+        view.set('contour', repr(number(value, 'value')))
         if depth is not None:
-            view.set('contour_depth', repr(float(depth)))
+            view.set('contour_depth', repr(number(depth, 'depth')))
         cut = self._core.cut(view, listener(progress))
         if cut.contour_count == 0 or cut.contour(0).polygon_count == 0:
             raise UsageError(f'grow_contour: the slice has no value {value:g}; it has {piece.min} to {piece.max}')
@@ -272,10 +227,9 @@ class Dataset:
         **settings
             ``vector_lattice``, ``vector_steps``, ``vector_dt``, ``vector_direction`` and others.
         """
-        view = self._view_of(piece, 'trace')
+        view = self._view_of(_uncopied(piece, 'trace'), 'trace')
         for key, setting in dict(vectors=kind, vector_array=array, **settings).items():
-            if setting is not None:
-                view.set(key, text_of(setting))
+            put(view, key, setting)
         return Traces(*self._core.cut(view, listener(progress)).traces(0))
 
     def plan(self, probe: Optional[Probe] = None, **settings: Any) -> List[PlanRow]:
@@ -303,8 +257,7 @@ class Dataset:
         at = places(points, 'points')
         if at.ndim != 2 or at.shape[1] != 3:
             raise InputError(f'points of the shape {at.shape}; it has to be (n, 3)')
-        names = [arrays] if isinstance(arrays, str) else list(arrays)
-        cells, blocks, columns = self._core.sample(at, names)
+        cells, blocks, columns = self._core.sample(at, texts(arrays, 'arrays'))
         return Samples(cells, blocks, {
             name: values if components == 1 else values.reshape(-1, components)
             for name, components, values in columns})
@@ -318,7 +271,7 @@ class Dataset:
         Parameters
         ----------
         probe : Probe or Slice, optional
-            A slice is drawn with the settings that it was made with.
+            A slice is drawn with the settings that it was made with. A copy is drawn with the arrays that it has.
         size : (int, int)
             Width and height, in pixels.
         progress : bool or callable, optional
@@ -340,7 +293,8 @@ class Dataset:
             view = self._view_of(probe, 'render')
             for key, setting in dict(size=size, **settings).items():
                 put(view, key, setting)
-            return Image._of(self._core.render(view, probe._cut, listener(progress)))
+            cut = probe._cut if probe._cut is not None else probe._own_cut()
+            return Image._of(self._core.render(view, cut, listener(progress)))
         view = self._view(probe, dict(size=size, **settings))
         return Image._of(self._core.render(view, None, listener(progress)))
 
@@ -370,6 +324,7 @@ class Dataset:
             Each with its cut and its picture.
         """
         view = self._view(probe, dict(path=path, frames=frames, **settings))
+        flag(draws, 'draws')
         index, count = 0, 1
         while index < count:
             count, time, cut, pixels = self._core.frame(view, index, draws, listener(progress))
@@ -383,9 +338,3 @@ class Dataset:
         """
         from ._notebook import Viewer
         return Viewer(self, probe, settings)
-
-    def __repr__(self) -> str:
-        names = ', '.join(dict.fromkeys(array.name for array in self.arrays)) or 'no arrays'
-        source = '' if self._source is None else f' {self._source}'
-        blocks = '' if self.n_blocks == 1 else f' in {self.n_blocks} blocks'
-        return f'<vprobe.Dataset{source}: {self.kind}, {self.n_cells} cells{blocks}, {names}>'

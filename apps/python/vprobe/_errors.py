@@ -4,6 +4,9 @@
 class Error(Exception):
     """Base of everything that this module raises. The text is one line that names the remedy."""
 
+    def __str__(self) -> str:
+        return ' '.join(super().__str__().splitlines())  # names in it may hold ends of lines
+
 
 class UsageError(Error, ValueError):
     """A setting or an argument that cannot be."""

@@ -8,7 +8,9 @@ import numpy.typing as npt
 
 from . import _core
 from ._dataset import Dataset
-from ._errors import InputError
+from ._arguments import arrays, flag, number, several, shown, text, whole, wrong
+from ._arguments import options as known_options
+from ._errors import InputError, UsageError
 from ._lattices import cells_at_points, points_on_axes, visible_cells
 from ._masks import places, refuse_mask, unmasked
 
@@ -27,9 +29,16 @@ def usable_masked(given: Any, name: str, copy: bool) -> Tuple[npt.NDArray[Any], 
 
     Masked floats are NaN in a copy. Of other types the second array tells which values are masked.
     """
-    if not isinstance(given, np.ndarray) and not copy:
+    if not flag(copy, 'copy') and not isinstance(given, np.ndarray):
         raise InputError(f'{name}: {type(given).__name__} is no numpy array; use copy=True, or numpy.asarray()')
-    array, mask = unmasked(given, np.asanyarray(given), name)
+    try:
+        array, mask = unmasked(given, np.asanyarray(given), name)
+    except (ValueError, TypeError) as error:
+        if isinstance(error, InputError):
+            raise
+        raise InputError(f'{name}: {shown(given)} cannot be; it takes numbers in an array') from None
+    if array.dtype.kind not in 'biuf' and copy:
+        raise InputError(f'{name}: {shown(given)} cannot be; it takes numbers')
     return (_converted(array) if copy else array), mask
 
 
@@ -55,7 +64,7 @@ def fields_of(values: Arrays, place: str, count: int, lattice: Optional[Lattice]
     Points and cells of a lattice at which integers are masked are marked in hidden['point'] and hidden['cell'].
     """
     fields: List[Tuple[Any, ...]] = []
-    for name, given in (values or {}).items():
+    for name, given in arrays(values, f'{place}_data').items():
         array, mask = usable_masked(given, f'the array {name}', copy)
         shapes = [(count,)] + ([lattice[::-1]] if lattice else [])
         shape = next((shape for shape in shapes if array.shape[:len(shape)] == shape), None)
@@ -75,6 +84,7 @@ def fields_of(values: Arrays, place: str, count: int, lattice: Optional[Lattice]
 
 def _dataset(block: Dict[str, Any], point_data: Arrays, cell_data: Arrays, points: int, cells: int,
              lattice: Optional[Lattice], copy: bool, options: Mapping[str, str]) -> Dataset:
+    known_options(options, ('classify', 'device'), 'vprobe')
     of_cells = None if lattice is None else (lattice[0] - 1, lattice[1] - 1, lattice[2] - 1)
     hidden: Dict[str, npt.NDArray[Any]] = {}
     fields = (fields_of(point_data, 'point', points, lattice, copy, hidden)
@@ -83,7 +93,8 @@ def _dataset(block: Dict[str, Any], point_data: Arrays, cell_data: Arrays, point
         block = _without_hidden(block, lattice, hidden)
     block['fields'] = fields
     block['name'] = ''
-    return Dataset(_core.Dataset.wrap([block], options.get('classify', 'auto'), options.get('device', '')))
+    return Dataset(_core.Dataset.wrap([block], text(options.get('classify', 'auto'), 'classify'),
+                                      text(options.get('device', ''), 'device')))
 
 
 def _without_hidden(block: Dict[str, Any], lattice: Lattice, hidden: Dict[str, npt.NDArray[Any]]) -> Dict[str, Any]:
@@ -105,8 +116,12 @@ def _without_hidden(block: Dict[str, Any], lattice: Lattice, hidden: Dict[str, n
 
 
 def _lattice_of(dimensions: Sequence[int]) -> Lattice:
-    if len(dimensions) != 3 or any(int(n) < 2 for n in dimensions):
-        raise InputError(f'dimensions {tuple(dimensions)}: takes the points along x, y and z, 2 or more each')
+    try:
+        is_lattice = len(dimensions) == 3 and all(whole(n, 'dimensions') >= 2 for n in dimensions)
+    except (TypeError, UsageError):
+        is_lattice = False
+    if not is_lattice:
+        raise InputError(f'dimensions {shown(dimensions)}: takes the points along x, y and z, 2 or more each')
     return int(dimensions[0]), int(dimensions[1]), int(dimensions[2])
 
 
@@ -148,13 +163,13 @@ def image(point_data: Arrays = None, cell_data: Arrays = None, *, dimensions: Op
     30
     """
     if dimensions is None:
-        first = next(iter((point_data or {}).values()), None)
+        first = next(iter(arrays(point_data, 'point_data').values()), None)
         if first is None or np.ndim(first) not in (3, 4):
             raise InputError('image: give dimensions=(nx, ny, nz), or a point array of the shape (nz, ny, nx)')
         dimensions = np.shape(first)[2::-1]
     lattice = _lattice_of(dimensions)
-    block = {'kind': 'image', 'points': lattice, 'origin': tuple(map(float, origin)),
-             'spacing': tuple(map(float, spacing))}
+    block = {'kind': 'image', 'points': lattice, 'origin': several(origin, 'origin', 3),
+             'spacing': several(spacing, 'spacing', 3)}
     return _dataset(block, point_data, cell_data, int(np.prod(lattice)), _cells_of(lattice), lattice, copy, options)
 
 
@@ -208,9 +223,11 @@ def structured(points: npt.NDArray[Any], point_data: Arrays = None, cell_data: A
 def _types_of(types: Union[str, int, npt.NDArray[Any]], cells: int) -> npt.NDArray[np.uint8]:
     if isinstance(types, str):
         if types not in CELL_TYPES:
-            raise InputError(f'{types!r} is no type of cells; there are {", ".join(CELL_TYPES)}, and VTK\'s numbers')
+            raise InputError(f'types: {shown(types)} is no type of cells; there are {", ".join(CELL_TYPES)}, and VTK\'s numbers')
         types = CELL_TYPES[types]
-    if isinstance(types, (int, np.integer)):
+    if isinstance(types, (int, np.integer)) and not isinstance(types, bool):
+        if not 0 <= types < 256:
+            raise wrong('types', types, 'a number of VTK\'s, 0 to 255')
         return np.full(cells, types, np.uint8)
     array = np.ascontiguousarray(usable(types, 'types', True), dtype=np.uint8)
     if array.shape != (cells,):
@@ -260,7 +277,12 @@ def unstructured(points: npt.NDArray[Any], cells: Union[npt.NDArray[Any], Tuple[
     """
     at = _points_of(points, copy)
     if isinstance(cells, tuple):
+        if len(cells) != 2:
+            raise wrong('cells', cells, 'an array of the shape (n, k), or (offsets, connectivity)')
         offsets, connectivity = (usable(part, name, copy) for part, name in zip(cells, ('offsets', 'connectivity')))
+        if offsets.ndim != 1 or len(offsets) == 0 or connectivity.ndim != 1:
+            raise InputError(f'cells: offsets of the shape {offsets.shape} and connectivity of {connectivity.shape}; they '
+                             'have to be (n + 1,) and (m,)')
         count = len(offsets) - 1
     else:
         connectivity = usable(cells, 'cells', copy)
@@ -269,7 +291,7 @@ def unstructured(points: npt.NDArray[Any], cells: Union[npt.NDArray[Any], Tuple[
         count, size = connectivity.shape
         offsets = np.arange(0, count * size + 1, size, dtype=np.int64) if size else np.zeros(count + 1, np.int64)
     block = {'kind': 'unstructured', 'coordinates': at, 'types': _types_of(types, count), 'offsets': offsets,
-             'connectivity': connectivity, 'tolerance': float(tolerance)}
+             'connectivity': connectivity, 'tolerance': number(tolerance, 'tolerance')}
     return _dataset(block, point_data, cell_data, len(at), count, None, copy, options)
 
 
@@ -293,15 +315,23 @@ def polyhedra(points: npt.NDArray[Any], cells: Union[Sequence[Sequence[Sequence[
         starts, stream = (np.ascontiguousarray(usable(part, name, True), dtype=np.int64)
                           for part, name in zip(cells, ('face_offsets', 'face_stream')))
         count = len(starts) - 1
+        if starts.ndim != 1 or stream.ndim != 1 or count < 0:
+            raise wrong('cells', cells, '(face_offsets, face_stream) of the shapes (n + 1,) and (m,)')
     else:
         numbers: List[int] = []
         begins = [0]
-        for faces in cells:
-            numbers.append(len(faces))
-            for face in faces:
-                numbers += [len(face), *map(int, face)]
-            begins.append(len(numbers))
-        starts, stream, count = np.array(begins, np.int64), np.array(numbers, np.int64), len(begins) - 1
+        try:
+            for faces in cells:
+                numbers.append(len(faces))
+                for face in faces:
+                    numbers += [len(face), *map(int, face)]
+                begins.append(len(numbers))
+        except (TypeError, ValueError, OverflowError):
+            raise wrong('cells', cells, 'for each cell its faces, and for each face the numbers of its points') from None
+        try:
+            starts, stream, count = np.array(begins, np.int64), np.array(numbers, np.int64), len(begins) - 1
+        except OverflowError:
+            raise wrong('cells', cells, 'numbers of points') from None
     block = {'kind': 'unstructured', 'coordinates': at, 'types': np.full(count, 42, np.uint8),
              'offsets': np.zeros(count + 1, np.int64), 'connectivity': np.zeros(0, np.int64), 'face_offsets': starts,
              'face_stream': stream}

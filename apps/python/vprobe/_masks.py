@@ -6,6 +6,7 @@ from typing import Any, Optional, Tuple
 import numpy as np
 import numpy.typing as npt
 
+from ._arguments import shown
 from ._errors import InputError
 
 Array = npt.NDArray[Any]
@@ -46,9 +47,16 @@ def unmasked(given: Any, array: Array, name: str) -> Tuple[Array, Optional[Array
 
 def places(given: Any, name: str) -> Array:
     """Coordinates as an array of doubles, with NaN where they are masked."""
-    array = np.asanyarray(given)
-    doubles, mask = unmasked(given, array, name)
-    doubles = np.ascontiguousarray(doubles, dtype=np.float64)
+    try:
+        array = np.asanyarray(given)
+        doubles, mask = unmasked(given, array, name)
+        if doubles.dtype.kind not in 'biuf':
+            raise TypeError(name)
+        doubles = np.ascontiguousarray(doubles, dtype=np.float64)
+    except (TypeError, ValueError, OverflowError) as error:
+        if isinstance(error, InputError):
+            raise
+        raise InputError(f'{name}: {shown(given)} cannot be; it takes numbers') from None
     if mask is not None:
         doubles = np.where(mask, np.nan, doubles)
     return doubles

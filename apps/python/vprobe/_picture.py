@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from ._arguments import path
 from ._errors import UsageError
 
 
@@ -42,7 +43,7 @@ class Image(np.ndarray):  # type: ignore[type-arg]
             Where it cannot be written.
         """
         self.png()  # whether it is one
-        _core.save_png(np.ascontiguousarray(self), os.fspath(file))
+        _core.save_png(np.ascontiguousarray(self), path(file, 'file'))
 
     def _repr_png_(self) -> Any:
         return self.png() if self.ndim == 3 and self.shape[2:] == (4,) and self.size else None

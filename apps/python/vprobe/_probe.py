@@ -3,10 +3,13 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import numbers
 import os
 from typing import TYPE_CHECKING, Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _core
+from ._arguments import flag, number, path, several, text, whole, wrong
+from ._arguments import text as words
 from ._errors import InputError, UsageError
 
 if TYPE_CHECKING:
@@ -60,27 +63,37 @@ class Sheet:
 
     def _json(self) -> Dict[str, Any]:
         sheet: Dict[str, Any] = {}
-        frame = {key: _floats(getattr(self, key)) for key in ('origin', 'normal', 'up') if getattr(self, key) is not None}
+        frame = {key: list(several(getattr(self, key), key, 3)) for key in ('origin', 'normal', 'up')
+                 if getattr(self, key) is not None}
         if frame:
             sheet['to_sheet'] = frame
-        if self.magnification != 1.0 or tuple(self.pan) != (0.0, 0.0, 0.0):
-            sheet['fx'] = {'magnification': self.magnification, 'pan': _floats(self.pan)}
+        magnification, pan = number(self.magnification, 'magnification'), several(self.pan, 'pan', 3)
+        if magnification != 1.0 or pan != (0.0, 0.0, 0.0):
+            sheet['fx'] = {'magnification': magnification, 'pan': list(pan)}
         if self.window is not None:
-            x, y = self.window
-            sheet['window'] = [float(x), float(y)] if isinstance(x, (int, float)) else {
-                'x': _floats(x), 'y': _floats(y)}
-        for key in ('surface', 'opacity', 'array', 'component', 'colormap', 'lines'):
+            sheet['window'] = _window(self.window)
+        for key in ('surface', 'array', 'component', 'colormap'):
             if getattr(self, key) is not None:
-                sheet[key] = getattr(self, key)
+                sheet[key] = text(getattr(self, key), key)
+        if self.opacity is not None:
+            sheet['opacity'] = number(self.opacity, 'opacity')
+        if self.lines is not None:
+            sheet['lines'] = whole(self.lines, 'lines')
         if self.range is not None:
-            sheet['range'] = _floats(self.range)
-        if self.hidden:
+            sheet['range'] = list(several(self.range, 'range', 2))
+        if flag(self.hidden, 'hidden'):
             sheet['hidden'] = True
         return sheet
 
 
-def _floats(values: Sequence[float]) -> List[float]:
-    return [float(value) for value in values]
+def _window(window: Any) -> Union[List[float], Dict[str, List[float]]]:
+    try:
+        x, y = window
+    except (TypeError, ValueError):
+        raise wrong('window', window, 'a width and a height, or two ranges') from None
+    if isinstance(x, numbers.Real):
+        return list(several(window, 'window', 2))
+    return {'x': list(several(x, 'window', 2)), 'y': list(several(y, 'window', 2))}
 
 
 _SHAPES = ('single', 'trihedral', 'paddlewheel', 'stack')
@@ -166,9 +179,11 @@ class Probe:
         origin, normal, up, opacity
             As of `single`.
         """
+        if not isinstance(sheets, Sequence) or not all(isinstance(sheet, Sheet) for sheet in sheets):
+            raise wrong('sheets', sheets, 'a sequence of vprobe.Sheet')
         own: Dict[str, Any] = {'sheets': [sheet._json() for sheet in sheets]}
         if name is not None:
-            own['name'] = name
+            own['name'] = text(name, 'name')
         return cls(dict(origin=origin, normal=normal, up=up, opacity=opacity), own)
 
     @classmethod
@@ -181,8 +196,8 @@ class Probe:
             Where the text is no such probe. The message names the place in it.
         """
         try:
-            own = json.loads(text)
-        except json.JSONDecodeError as error:
+            own = json.loads(words(text, 'text'))
+        except (json.JSONDecodeError, RecursionError) as error:
             raise InputError(f'the probe is no JSON: {error}') from None
         if not isinstance(own, dict):
             raise InputError('the probe is no JSON object; docs/PROBES.md describes it')
@@ -194,11 +209,12 @@ class Probe:
     @classmethod
     def read(cls, file: Union[str, os.PathLike[str]]) -> Probe:
         """Reads a probe file, as the program's ``--probe`` takes it."""
+        name = os.fsdecode(path(file, 'file'))
         try:
-            with open(file, encoding='utf-8') as source:
+            with open(name, encoding='utf-8') as source:
                 return cls.from_json(source.read())
         except (OSError, UnicodeDecodeError) as error:
-            raise InputError(f'{os.fspath(file)}: {error}') from None
+            raise InputError(f'{name}: {error}') from None
 
     def moved(self, **settings: Any) -> Probe:
         """The same probe with other settings: `origin`, `normal`, `up`, `window`, `opacity` and what it was made with.
@@ -225,6 +241,8 @@ class Probe:
             A built-in probe, and no data set.
         """
         if data is not None:
+            if not hasattr(data, '_core'):
+                raise wrong('data', data, 'a vprobe.Dataset')
             return data._core.probe_text(data._view(self, {}))
         if self._own is None:
             raise UsageError('to_json: a built-in probe takes its place from a data set; give one')

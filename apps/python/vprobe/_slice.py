@@ -2,12 +2,14 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union, overload
+from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Union, overload
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from ._added import own_array
+from ._arguments import path, shown, text
 from ._errors import UsageError
 
 if TYPE_CHECKING:
@@ -50,7 +52,8 @@ class Slice:
     boundary_mean, boundary_flux : float or None
         The mean of the shown array over the boundary faces in the plane, and the flux through them.
     flux : float or None
-        Of vectors through the sheet, where the slice was made with ``vectors=...``.
+        Of vectors through the sheet, positive toward its normal: of `vector_array`, or of the shown array if it has
+        three components. None where there are no vectors.
     components, cut_cells : int
         Pieces that do not touch, and cells that are cut. 0 on a surface that has grown from a sheet.
     origin, normal : (float, float, float)
@@ -61,7 +64,8 @@ class Slice:
 
     def __init__(self, cut: _core.Cut, sheet: int, data: Optional[Dataset] = None, view: Optional[_core.View] = None,
                  contour: Optional[int] = None) -> None:
-        self._cut: Optional[_core.Cut] = cut
+        self._cut: Optional[_core.Cut] = cut  # None of a copy
+        self._source = cut
         self._sheet = sheet
         self._data = data
         self._view = view
@@ -131,8 +135,8 @@ class Slice:
         arrays = self._arrays()
         return [*arrays['point'], *(name for name in arrays['cell'] if name not in arrays['point'])]
 
-    def __contains__(self, name: str) -> bool:
-        return name in self.keys()
+    def __contains__(self, name: object) -> bool:
+        return isinstance(name, str) and name in self.keys()
 
     def __getitem__(self, name: str) -> Array:
         """The array of this name: ``"p"``, or ``"cell:p"`` where points and cells have one of the name.
@@ -143,13 +147,37 @@ class Slice:
             Where there is none.
         """
         arrays = self._arrays()
-        for place in ('point', 'cell'):
-            if name in arrays[place]:
-                return arrays[place][name]
-        place, _, rest = name.partition(':')
-        if rest in arrays.get(place, {}):
-            return arrays[place][rest]
-        raise KeyError(f'{name!r}; there are {", ".join(self.keys()) or "no arrays"}')
+        if isinstance(name, str):
+            for place in ('point', 'cell'):
+                if name in arrays[place]:
+                    return arrays[place][name]
+            place, _, rest = name.partition(':')
+            if rest in arrays.get(place, {}):
+                return arrays[place][rest]
+        raise KeyError(f'{shown(name)}; there are {", ".join(self.keys()) or "no arrays"}')
+
+    def __setitem__(self, name: str, values: npt.ArrayLike) -> None:
+        """Gives a copy an array over its points or its polygons, by its length, or replaces the one of the name.
+
+        Parameters
+        ----------
+        name : str
+            ``"point:p"`` and ``"cell:p"`` tell of what it is, where there are as many points as polygons.
+        values : array_like of shape (n,) or (n, components)
+            It is copied.
+
+        Raises
+        ------
+        UsageError
+            Of a slice that is no copy: its arrays are the library's.
+        InputError
+            Where it fits neither the points nor the polygons, or both.
+        """
+        if self._cut is not None:
+            raise UsageError(f'{shown(name)}: the arrays of a slice are read-only; take its copy(), or add the array to the '
+                             'data set')
+        place, plain, array = own_array(text(name, 'name'), values, len(self.points), len(self.polygons.offsets) - 1)
+        self._arrays()[place][plain] = array
 
     def _figure(self, name: str) -> Any:
         if self._figures is None:
@@ -176,7 +204,7 @@ class Slice:
 
     @property
     def boundary_flux(self) -> Optional[float]:
-        """The flux through the boundary faces in the plane; None where the slice was made without vectors."""
+        """The flux through the boundary faces in the plane; None where `flux` is."""
         return self._figure('boundary_flux')  # type: ignore[no-any-return]
 
     @property
@@ -201,7 +229,7 @@ class Slice:
 
     @property
     def flux(self) -> Optional[float]:
-        """Of vectors through the sheet; None where the slice was made without."""
+        """Of vectors through the sheet, positive toward its normal; None where it shows none, and names none."""
         return self._figure('flux')  # type: ignore[no-any-return]
 
     @property
@@ -215,15 +243,15 @@ class Slice:
         return int(self._figure('cut_cells'))
 
     def copy(self) -> Slice:
-        """A slice with writable arrays of its own, which shares nothing with the library.
+        """A slice with writable arrays of its own, which takes new ones by ``copy["name"] = values``.
 
-        `save` writes what was cut, so a copy cannot be saved; `to_vtk` and `to_pyvista` take it as it is.
+        `save`, `Dataset.render`, `to_vtk` and `to_pyvista` take it as it is. Its figures stay those of what was cut.
         """
         self._figure('area')
         arrays = self._arrays()
         copy: Slice = object.__new__(type(self))
         copy.__dict__.update(self.__dict__)
-        copy._cut, copy._data, copy._view = None, None, None
+        copy._cut = None
         copy._known = {
             'points': self.points.copy(),
             'polygons': Polygons(*(part.copy() for part in self.polygons)),
@@ -242,13 +270,25 @@ class Slice:
         Raises
         ------
         UsageError
-            Another ending, or a copy.
+            Another ending.
         OutputError
             Where it cannot be written.
         """
-        if self._cut is None:
-            raise UsageError('save: a copy is not kept by the library; save the slice that it was made of, or use to_vtk()')
-        self._cut.save(os.fspath(file))
+        name = path(file, 'file')
+        (self._own_cut() if self._cut is None else self._cut).save(name)
+
+    def _own_cut(self) -> _core.Cut:
+        """The cut of a copy, for the library to save and to draw."""
+        arrays = self._arrays()
+        fields = [(name, place, values.shape[1] if values.ndim > 1 else 1, np.ascontiguousarray(values), '')
+                  for place, of in arrays.items() for name, values in of.items()]
+        alone = _core.View() if self._data is None or self.value is not None else self._data._view_of(self, 'save')
+        return self._source.with_own(self._sheet, alone, {
+            'points': np.ascontiguousarray(self.points, dtype=np.float64),
+            'offsets': np.ascontiguousarray(self.polygons.offsets, dtype=np.int64),
+            'connectivity': np.ascontiguousarray(self.polygons.connectivity, dtype=np.int64),
+            'cells': np.ascontiguousarray(self.cells, dtype=np.int64),
+            'blocks': np.ascontiguousarray(self.blocks, dtype=np.int32), 'fields': fields})
 
     def to_vtk(self) -> Any:
         """A ``vtkPolyData`` that shares the arrays; ``vprobe:cell`` and ``vprobe:block`` say where polygons come from."""
@@ -313,7 +353,7 @@ class Cut(Sequence[Slice]):
 
     def save(self, file: Union[str, os.PathLike[str]]) -> None:
         """Writes .vtp, .vtm, .pvtp, .ply or .csv, by the name's ending, with every array. Whole or not at all."""
-        self._cut.save(os.fspath(file))
+        self._cut.save(path(file, 'file'))
 
     def to_vtk(self) -> Any:
         """A ``vtkMultiBlockDataSet`` with a ``vtkPolyData`` for each sheet."""
@@ -328,41 +368,3 @@ class Cut(Sequence[Slice]):
     def __repr__(self) -> str:
         polygons = sum(each.n_polygons for each in self)
         return f'<vprobe.Cut: {len(self)} sheets, {polygons} polygons, area {self.area:.6g}>'
-
-
-class Traces:
-    """Paths of particles that were launched from a sheet.
-
-    Attributes
-    ----------
-    points : (n, 3) float64
-        In the grid's units, each path from its earliest point to its latest.
-    times : (n,) float64
-        Of each point, from the launch; negative before it.
-    offsets : (paths + 1,) int64
-        Path i has the points ``offsets[i]:offsets[i + 1]``.
-    """
-
-    def __init__(self, offsets: Ints, points: Floats, times: Floats) -> None:
-        self.offsets, self.points, self.times = offsets, points, times
-
-    def __len__(self) -> int:
-        return max(0, len(self.offsets) - 1)
-
-    def __iter__(self) -> Iterator[Tuple[Floats, Floats]]:
-        """Points and times of each path."""
-        for begin, end in zip(self.offsets[:-1], self.offsets[1:]):
-            yield self.points[begin:end], self.times[begin:end]
-
-    def to_vtk(self) -> Any:
-        """A ``vtkPolyData`` of poly lines, with the point array ``time``."""
-        from ._vtk_out import lines
-        return lines(self)
-
-    def to_pyvista(self) -> Any:
-        """A ``pyvista.PolyData`` of poly lines."""
-        import pyvista
-        return pyvista.wrap(self.to_vtk())
-
-    def __repr__(self) -> str:
-        return f'<vprobe.Traces: {len(self)} paths, {len(self.points)} points>'

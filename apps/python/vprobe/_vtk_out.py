@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Any, Iterable, Mapping
 import numpy as np
 
 if TYPE_CHECKING:
-    from ._slice import Array, Ints, Slice, Traces
+    from ._slice import Array, Ints, Slice
+    from ._traces import Traces
 
 
 def _array(values: Array, name: str) -> Any:

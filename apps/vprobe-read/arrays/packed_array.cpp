@@ -152,6 +152,12 @@ PackedArray::PackedArray(const ByteSource& source, const Packing& packing, Scrat
 	part_bytes_ = kPartBytes;
 }
 
+std::optional<std::uint64_t> PackedArray::placeInFile() const
+{
+	const std::optional<std::uint64_t> begin = bytes_.begin();
+	return codec_ == Codec::none && begin ? std::optional(*begin + word_bytes_) : std::nullopt;
+}
+
 // Reads the number of blocks, their size, the size of the last one if it is smaller, and the packed size of each.
 void PackedArray::readBlockSizes(const ByteSource& source, const Packing& packing, Scratch& scratch)
 {

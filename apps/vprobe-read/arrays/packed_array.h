@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -31,6 +32,8 @@ public:
 
 	// Returns at least the number of bytes, perhaps a few more.
 	std::uint64_t size() const { return is_base64_ ? (end_ - begin_) / 4 * 3 : end_ - begin_; }
+	// Returns where they begin in the file, or nothing if they are written as base64.
+	std::optional<std::uint64_t> begin() const { return is_base64_ ? std::nullopt : std::optional(begin_); }
 	// Returns the source without the first bytes of the file. Throws NotQuick past the end.
 	ByteSource from(std::uint64_t file_bytes) const;
 	// Returns the source behind some bytes that were written as a base64 text of their own.
@@ -70,6 +73,8 @@ public:
 	PackedArray(const ByteSource& source, const Packing& packing, Scratch& scratch);
 
 	std::uint64_t size() const { return size_; } // bytes, unpacked
+	// Returns where the bytes lie in the file, one behind the other, or nothing if they are packed.
+	std::optional<std::uint64_t> placeInFile() const;
 	// Returns the number of letters that the array and the numbers in front take as base64.
 	std::uint64_t base64Letters() const;
 	// The array is unpacked in parts. Each part has this many bytes, except for the last one.

@@ -18,12 +18,12 @@ namespace
 
 static_assert(std::endian::native == std::endian::little);
 
+constexpr int kVtkTypes[] = {VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,     VTK_UNSIGNED_SHORT,
+                             VTK_INT,         VTK_UNSIGNED_INT,  VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG,
+                             VTK_FLOAT,       VTK_DOUBLE};
 int vtkTypeOf(NumberType type)
 {
-	constexpr int types[] = {VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,     VTK_UNSIGNED_SHORT,
-	                         VTK_INT,         VTK_UNSIGNED_INT,  VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG,
-	                         VTK_FLOAT,       VTK_DOUBLE};
-	return types[static_cast<std::size_t>(type)];
+	return kVtkTypes[static_cast<std::size_t>(type)];
 }
 
 void swapBytes(char* at, std::uint64_t values, std::size_t width)
@@ -33,6 +33,12 @@ void swapBytes(char* at, std::uint64_t values, std::size_t width)
 }
 
 } // namespace
+
+std::optional<NumberType> numberTypeOfVtk(int type)
+{
+	const auto* found = std::ranges::find(kVtkTypes, type);
+	return found == std::end(kVtkTypes) ? std::nullopt : std::optional(static_cast<NumberType>(found - kVtkTypes));
+}
 
 std::uint64_t ValueLayout::valueCount() const
 {

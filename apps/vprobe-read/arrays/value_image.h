@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -24,6 +25,9 @@ struct ValueLayout
 	// Throws a Refusal if the product is too large.
 	std::uint64_t byteCount() const;
 };
+
+// Returns the type of numbers that VTK calls so, or nothing for other types.
+std::optional<vp::grid::NumberType> numberTypeOfVtk(int type);
 
 // Says whether an array gets room for its values.
 enum class Room

@@ -3,6 +3,7 @@
 #include "base/real_text.h"
 #include "lsdyna_words.h"
 #include "netcdf_size.h"
+#include "slice_files.h"
 #include "vprobe-read/base/is_one_of.h"
 
 #include <algorithm>
@@ -58,6 +59,11 @@ bool FileHead::holdsFile(const std::string& name) const
 {
 	std::error_code ignored;
 	return std::filesystem::is_regular_file(std::filesystem::path(file_) / name, ignored);
+}
+
+bool FileHead::isOfSlices() const
+{
+	return head_.empty() && !sliceFiles(file_).empty();
 }
 
 bool FileHead::isTecplot() const

@@ -31,6 +31,7 @@ public:
 	bool isNifti() const;
 	bool isFolder() const;
 	bool holdsFile(const std::string& name) const; // a folder
+	bool isOfSlices() const;                       // a folder or a pattern (slice_files.h)
 	bool isTecplot() const;                        // text
 	bool isUcd() const;                            // text
 	bool isBinaryUcd() const;

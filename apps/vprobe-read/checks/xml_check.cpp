@@ -1,8 +1,10 @@
 #include "xml_check.h"
 
 #include "vprobe-read/base/mapped_text.h"
+#include "vprobe-read/base/nesting.h"
 #include "vprobe-read/base/refusal.h"
 
+#include <expat.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +13,8 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <memory>
+#include <new>
 #include <string_view>
 
 namespace
@@ -128,12 +132,54 @@ void refuseShortAppendedData(std::string_view text)
 	                 });
 }
 
+// Counts how deeply elements are nested. It uses the parser that VTK uses, so that both see the same elements. What
+// cannot be parsed is VTK's to complain of.
+class NestingCounter
+{
+public:
+	bool isTooDeep(std::string_view text)
+	{
+		constexpr std::size_t kPiece = 64u << 20; // Expat counts bytes in an int
+		if (!parser_)
+			throw std::bad_alloc();
+		XML_SetUserData(parser_.get(), this);
+		XML_SetElementHandler(parser_.get(), onStart, onEnd);
+		auto state = XML_STATUS_OK;
+		for (std::size_t at = 0; state == XML_STATUS_OK && at < text.size(); at += kPiece)
+		{
+			const std::string_view piece = text.substr(at, kPiece);
+			state = XML_Parse(parser_.get(), piece.data(), static_cast<int>(piece.size()), XML_FALSE);
+		}
+		return depth_ > kMaxNestedElements;
+	}
+
+private:
+	static void onStart(void* self, const XML_Char* name, const XML_Char**)
+	{
+		auto& counter = *static_cast<NestingCounter*>(self);
+		// Appended data need not be XML, and VTK's parser ends there.
+		if (++counter.depth_ > kMaxNestedElements || std::string_view(name) == "AppendedData")
+			XML_StopParser(counter.parser_.get(), XML_FALSE);
+	}
+	static void onEnd(void* self, const XML_Char*) { --static_cast<NestingCounter*>(self)->depth_; }
+
+	std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser_{XML_ParserCreate(nullptr), XML_ParserFree};
+	int depth_ = 0;
+};
+
+void refuseDeep(std::string_view text)
+{
+	if (NestingCounter().isTooDeep(text))
+		throw damaged(fmt::format("its XML elements are nested more than {} deep", kMaxNestedElements));
+}
+
 void refuseShort(std::string_view text, const std::string& file)
 {
 	const std::string_view tail = text.substr(text.size() - std::min(text.size(), kTailBytes));
 	if (tail.find("</VTKFile") == tail.npos)
 		throw damaged(fmt::format("{} ends without </VTKFile>", std::filesystem::path(file).filename().string()));
 	refuseShortAppendedData(text);
+	refuseDeep(text);
 }
 
 bool isIndexOfPieces(std::string_view text)
@@ -159,4 +205,9 @@ void refuseShortXml(const std::string& file)
 			                 throw damaged("one of its pieces is an index of pieces");
 		                 refuseShort(text.text(), path);
 	                 });
+}
+
+void refuseDeepXml(const std::string& file)
+{
+	refuseDeep(MappedText(file).text());
 }

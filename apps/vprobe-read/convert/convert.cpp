@@ -8,10 +8,13 @@
 #include <vtkCellData.h>
 #include <vtkDataSet.h>
 #include <vtkFieldData.h>
+#include <vtkIdList.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkRectilinearGrid.h>
+#include <vtkSmartPointer.h>
 #include <vtkStructuredGrid.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLDataSetWriter.h>
@@ -68,6 +71,31 @@ void writeXml(vtkDataSet* data, const std::string& file)
 		throw NoRoom(kNoRoom);
 }
 
+// The points and cells of a lattice, one by one.
+vtkSmartPointer<vtkUnstructuredGrid> cellsOf(vtkDataSet* data)
+{
+	const auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+	vtkNew<vtkPoints> points;
+	points->SetDataTypeToDouble();
+	if (auto* structured = vtkStructuredGrid::SafeDownCast(data); structured && structured->GetPoints())
+		points->SetDataType(structured->GetPoints()->GetDataType());
+	points->SetNumberOfPoints(data->GetNumberOfPoints());
+	for (vtkIdType p = 0; p < data->GetNumberOfPoints(); ++p)
+		points->SetPoint(p, data->GetPoint(p));
+	grid->SetPoints(points);
+	grid->AllocateEstimate(data->GetNumberOfCells(), 8);
+	vtkNew<vtkIdList> ids;
+	for (vtkIdType c = 0; c < data->GetNumberOfCells(); ++c)
+	{
+		data->GetCellPoints(c, ids);
+		grid->InsertNextCell(data->GetCellType(c), ids);
+	}
+	grid->GetPointData()->ShallowCopy(data->GetPointData());
+	grid->GetCellData()->ShallowCopy(data->GetCellData());
+	grid->GetFieldData()->ShallowCopy(data->GetFieldData());
+	return grid;
+}
+
 // Pieces lie in a folder with the name of the index, once the parent has given them their places.
 void writeBlocks(const std::vector<KeptBlock>& blocks, const Request& request)
 {
@@ -103,8 +131,11 @@ void writeConverted(const std::vector<KeptBlock>& blocks, const Request& request
 	vtkDataSet* data = blocks[0].data;
 	const std::string file = (fs::path(request.convert_folder) / fs::path(request.convert_to).filename()).string();
 	if (ending == ".vtkhdf")
-		return writeVtkHdf(data, file);
+		return writeVtkHdf(data, file, request.threads);
+	if (ending == ".vtu" && endingOf(data) != ending)
+		return writeXml(cellsOf(data), file);
 	if (ending != endingOf(data))
-		throw Refusal(fmt::format("is written as {} or .vtm, not as {}", endingOf(data), ending));
+		throw Refusal(fmt::format("is written as {}{} or .vtm, not as {}", endingOf(data),
+		                          endingOf(data) == ".vtu" ? "" : ", .vtu", ending));
 	writeXml(data, file);
 }

@@ -19,5 +19,6 @@ struct KeptBlock
 // no such grids.
 void writeConverted(const std::vector<KeptBlock>& blocks, const Request& request);
 
-// Writes one block as VTKHDF. Only vprobe-read-more has this.
-void writeVtkHdf(vtkDataSet* data, const std::string& file);
+// Writes one block as VTKHDF, images in bricks. Their arrays may stay in the files that they come from (storedArray()).
+// threads: the most to use. Only vprobe-read-more has this.
+void writeVtkHdf(vtkDataSet* data, const std::string& file, int threads);

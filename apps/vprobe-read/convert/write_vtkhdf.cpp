@@ -1,5 +1,6 @@
 // VTKHDF 1.0, which VTK 9.1 reads and does not write: image data and unstructured grids of one piece.
 #include "convert.h"
+#include "stored_layers.h"
 #include "vprobe-read/base/refusal.h"
 
 #include <vtkCellArray.h>
@@ -14,8 +15,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
+#include <vector>
 
 #include <hdf5.h>
 
@@ -112,8 +115,65 @@ void writeValues(hid_t group, const char* name, hid_t type, const std::vector<hs
 	checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
 }
 
+// A cut of a large image then reads the bricks that it meets. All along an axis are alike, so that the last ones are
+// not mostly empty.
+constexpr hsize_t kBrick = 32;
+constexpr hsize_t kMinBytesInBricks = 1 << 20;
+constexpr hsize_t kMostBytesAtOnce = hsize_t(1) << 30;
+
+std::vector<hsize_t> bricksOf(const std::vector<hsize_t>& sides)
+{
+	std::vector<hsize_t> brick(sides);
+	for (std::size_t axis = 0; axis < 3; ++axis)
+	{
+		const hsize_t count = std::max<hsize_t>((sides[axis] + kBrick / 2) / kBrick, 1);
+		brick[axis] = (sides[axis] + count - 1) / count;
+	}
+	return brick;
+}
+
+// Writes values of a lattice in bricks, those that stay in their file a few layers at a time.
+void writeBricks(hid_t group, const char* name, vtkDataArray* array, const std::vector<hsize_t>& sides, int threads)
+{
+	const hid_t type = typeOf(array->GetDataType());
+	const std::vector<hsize_t> brick = bricksOf(sides);
+	const Handle space(H5Screate_simple(static_cast<int>(sides.size()), sides.data(), nullptr), H5Sclose);
+	const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+	checked(H5Pset_chunk(properties, static_cast<int>(brick.size()), brick.data()));
+	const Handle set(H5Dcreate2(group, name, type, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose);
+	const StoredPlace* place = storedPlaceOf(array);
+	if (!place)
+	{
+		checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, array->GetVoidPointer(0)));
+		return;
+	}
+	ValueLayout layout;
+	layout.components = static_cast<std::uint32_t>(array->GetNumberOfComponents());
+	layout.type = *numberTypeOfVtk(array->GetDataType());
+	for (std::size_t axis = 0; axis < 3; ++axis)
+		layout.points[axis] = static_cast<std::uint32_t>(sides[2 - axis]);
+	const StoredLayers layers(*place, layout, threads);
+	// Whole bricks, and as many that a part of the file is read once, unless it is too deep for the memory.
+	const hsize_t of_part = (layers.layersAtOnce() + brick[0] - 1) / brick[0];
+	const hsize_t fitting = kMostBytesAtOnce / std::max<hsize_t>(brick[0] * layers.layerBytes(), 1);
+	const hsize_t at_once = brick[0] * std::max<hsize_t>(std::min(of_part, fitting), 1);
+	std::vector<std::byte> values;
+	std::vector<hsize_t> begin(sides.size(), 0), count(sides);
+	for (hsize_t first = 0; first < sides[0]; first += at_once)
+	{
+		begin[0] = first;
+		count[0] = std::min(at_once, sides[0] - first);
+		values.resize(count[0] * layers.layerBytes());
+		layers.read(first, values);
+		const Handle part(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose);
+		checked(H5Sselect_hyperslab(space, H5S_SELECT_SET, begin.data(), nullptr, count.data(), nullptr));
+		checked(H5Dwrite(set, type, part, space, H5P_DEFAULT, values.data()));
+	}
+}
+
 // `sides`: the sides of the lattice, the slowest first, or the number of tuples.
-void writeArrays(hid_t root, const char* name, vtkDataSetAttributes* fields, const std::vector<hsize_t>& sides)
+void writeArrays(hid_t root, const char* name, vtkDataSetAttributes* fields, const std::vector<hsize_t>& sides,
+                 int threads)
 {
 	const Handle group(H5Gcreate2(root, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
 	for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
@@ -128,11 +188,16 @@ void writeArrays(hid_t root, const char* name, vtkDataSetAttributes* fields, con
 		for (char& c : plain)
 			if (c == '/' || c == '.')
 				c = '_'; // which HDF5 takes for a way to another group
-		writeValues(group, plain.c_str(), typeOf(array->GetDataType()), all, array->GetVoidPointer(0));
+		const auto bytes =
+		    static_cast<hsize_t>(array->GetNumberOfValues()) * static_cast<hsize_t>(array->GetDataTypeSize());
+		if (storedPlaceOf(array) || (sides.size() == 3 && bytes > kMinBytesInBricks))
+			writeBricks(group, plain.c_str(), array, all, threads);
+		else
+			writeValues(group, plain.c_str(), typeOf(array->GetDataType()), all, array->GetVoidPointer(0));
 	}
 }
 
-void writeImage(hid_t root, vtkImageData* image)
+void writeImage(hid_t root, vtkImageData* image, int threads)
 {
 	writeType(root, "ImageData");
 	std::array<std::int64_t, 6> extent;
@@ -154,8 +219,8 @@ void writeImage(hid_t root, vtkImageData* image)
 		points.push_back(static_cast<hsize_t>(image->GetDimensions()[axis]));
 		cells.push_back(points.back() - 1);
 	}
-	writeArrays(root, "PointData", image->GetPointData(), points);
-	writeArrays(root, "CellData", image->GetCellData(), cells);
+	writeArrays(root, "PointData", image->GetPointData(), points, threads);
+	writeArrays(root, "CellData", image->GetCellData(), cells, threads);
 }
 
 void writeGrid(hid_t root, vtkUnstructuredGrid* grid)
@@ -183,13 +248,13 @@ void writeGrid(hid_t root, vtkUnstructuredGrid* grid)
 	            connectivity->GetVoidPointer(0));
 	writeValues(root, "Offsets", H5T_NATIVE_INT64, {count + 1}, cells->GetOffsetsArray()->GetVoidPointer(0));
 	writeValues(root, "Types", H5T_NATIVE_UCHAR, {count}, grid->GetCellTypesArray()->GetVoidPointer(0));
-	writeArrays(root, "PointData", grid->GetPointData(), {points});
-	writeArrays(root, "CellData", grid->GetCellData(), {count});
+	writeArrays(root, "PointData", grid->GetPointData(), {points}, 1);
+	writeArrays(root, "CellData", grid->GetCellData(), {count}, 1);
 }
 
 } // namespace
 
-void writeVtkHdf(vtkDataSet* data, const std::string& path)
+void writeVtkHdf(vtkDataSet* data, const std::string& path, int threads)
 {
 	H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 	auto* image = vtkImageData::SafeDownCast(data);
@@ -200,7 +265,7 @@ void writeVtkHdf(vtkDataSet* data, const std::string& path)
 	{
 		const Handle root(H5Gcreate2(file, "VTKHDF", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
 		writeAttribute(root, "Version", H5T_NATIVE_INT64, std::array<std::int64_t, 2>{1, 0});
-		image ? writeImage(root, image) : writeGrid(root, grid);
+		image ? writeImage(root, image, threads) : writeGrid(root, grid);
 	}
 	if (H5Fflush(file, H5F_SCOPE_LOCAL) < 0)
 		throw NoRoom(kNoRoom);

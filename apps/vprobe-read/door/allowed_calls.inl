@@ -1,10 +1,6 @@
 // The calls of Linux that the reader may make, whatever their arguments. Those that some machines lack stand last.
 
 // Files that are open, and what is told of others.
-VP_CALL(close)
-VP_CALL(close_range)
-VP_CALL(dup)
-VP_CALL(dup3)
 VP_CALL(faccessat)
 VP_CALL(fadvise64)
 VP_CALL(fallocate)
@@ -104,7 +100,6 @@ VP_CALL(uname)
 #ifdef SYS_access
 VP_CALL(access)
 VP_CALL(arch_prctl)
-VP_CALL(dup2)
 VP_CALL(getdents)
 VP_CALL(getpgrp)
 VP_CALL(getrlimit)

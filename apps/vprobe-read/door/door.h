@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/sanitized.h"
+
 #include <string>
 #include <vector>
 
@@ -33,14 +35,4 @@ void refuseExec();
 
 // Sanitizers start another program for the names in their reports, and look at the process itself. So in such a build
 // the door leaves processes and programs alone, and lets /proc and the system be read.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kSanitized = true;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-constexpr bool kSanitized = true;
-#else
-constexpr bool kSanitized = false;
-#endif
-#else
-constexpr bool kSanitized = false;
-#endif
+using vp::kSanitized;

@@ -75,6 +75,7 @@ bool mayNameFiles(const Request& request)
 
 void addInput(const Request& request, Places& places)
 {
+	places.insert(request.slices.begin(), request.slices.end());
 	std::error_code error;
 	const bool takes_folder = !fs::is_directory(request.file, error) && mayNameFiles(request);
 	const fs::path real = fs::canonical(request.file, error);

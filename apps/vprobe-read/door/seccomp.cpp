@@ -1,6 +1,7 @@
 #include "seccomp.h"
 
 #include "door.h"
+#include "read/protocol.h"
 
 #include <bit>
 #include <cerrno>
@@ -122,6 +123,20 @@ Code ownLimits()
 	        answer(kAllow)};
 }
 
+// The pipe that ends this process with its parent stays as it is, so files are closed one by one.
+Code notTheLifePipe(std::initializer_list<unsigned> arguments, const Code& rest)
+{
+	Code code;
+	for (const unsigned argument : arguments)
+	{
+		code.push_back(loadArgument(argument));
+		code.push_back(jumpIf(BPF_JEQ, vp::read::kLifeFd, 0, 1));
+		code.push_back(answer(refuseWith(EBADF)));
+	}
+	code.insert(code.end(), rest.begin(), rest.end());
+	return code;
+}
+
 class Filter
 {
 public:
@@ -158,12 +173,20 @@ void addConditions(Filter& filter, const Permits& permits)
 #ifdef SYS_open
 	filter.on(SYS_open, permits.write ? allow : noneOf(1, kWriting));
 #endif
+	for (const int call : {SYS_close, SYS_dup})
+		filter.on(call, notTheLifePipe({0}, allow));
+	filter.on(SYS_dup3, notTheLifePipe({0, 1}, allow));
+#ifdef SYS_dup2
+	filter.on(SYS_dup2, notTheLifePipe({0, 1}, allow));
+#endif
 	// Owners of a file get signals, so none can be named.
-	filter.on(SYS_fcntl, anyOf(1,
-	                           {F_GETFD, F_SETFD, F_GETFL, F_SETFL, F_DUPFD, F_DUPFD_CLOEXEC, F_GETLK, F_SETLK,
-	                            F_SETLKW, F_OFD_GETLK, F_OFD_SETLK, F_OFD_SETLKW, F_GET_SEALS},
-	                           EACCES));
-	filter.on(SYS_ioctl, anyOf(1, {TCGETS, TIOCGWINSZ, FIONREAD, FIONBIO, FIOCLEX, FIONCLEX}, ENOTTY));
+	filter.on(SYS_fcntl,
+	          notTheLifePipe({0}, anyOf(1,
+	                                    {F_GETFD, F_SETFD, F_GETFL, F_SETFL, F_DUPFD, F_DUPFD_CLOEXEC, F_GETLK, F_SETLK,
+	                                     F_SETLKW, F_OFD_GETLK, F_OFD_SETLK, F_OFD_SETLKW, F_GET_SEALS},
+	                                    EACCES)));
+	filter.on(SYS_ioctl,
+	          notTheLifePipe({0}, anyOf(1, {TCGETS, TIOCGWINSZ, FIONREAD, FIONBIO, FIOCLEX, FIONCLEX}, ENOTTY)));
 	if (permits.execute)
 		filter.on(SYS_execve, allow);
 	filter.on(SYS_kill, anyOf(0, {self}, EACCES));

@@ -5,7 +5,9 @@
 #include <vtkDataObject.h>
 #include <vtkSmartPointer.h>
 
+#include <functional>
 #include <string>
+#include <string_view>
 
 class ManifestWriter;
 
@@ -40,6 +42,17 @@ std::string xmlTypeOfFile(const std::string& file);
 
 // HDF5 files are told apart by what they hold, for which vprobe-read becomes vprobe-read-more.
 void needHdf5(const Request& request);
+
+// Reads the slices of a request, a file each, as one volume.
+void readStack(const Request& request, ManifestWriter& manifest);
+
+// Makes a built-in data set: what stands behind the prefix.
+constexpr std::string_view kDemoPrefix = "demo:";
+void readDemo(const Request& request, ManifestWriter& manifest);
+
+// Unpacks parts of an array that stays in its file, as the request says, until nobody asks for more (protocol.h). Each
+// answer is bytes for the parent. Throws a Refusal.
+void unpackParts(const Request& request, const std::function<void(std::string_view)>& answer);
 
 // Finds out what a file is, where the request does not say it, and reads it.
 void readAnyFormat(const Request& request, ManifestWriter& manifest);

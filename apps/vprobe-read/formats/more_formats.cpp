@@ -36,7 +36,12 @@ std::set<std::string> hdf5Names(const std::string&)
 	return {}; // HDF5 files have gone to vprobe-read-more
 }
 
-void writeVtkHdf(vtkDataSet*, const std::string&)
+void unpackParts(const Request&, const std::function<void(std::string_view)>&)
+{
+	throw Refusal("parts are unpacked by vprobe-read-more"); // which this process has become by then
+}
+
+void writeVtkHdf(vtkDataSet*, const std::string&, int)
 {
 	throw Refusal("VTKHDF is written by vprobe-read-more"); // which this process has become by then
 }

@@ -1,3 +1,4 @@
+#include "base/file_pattern.h"
 #include "formats.h"
 #include "read/formats.h"
 #include "vprobe-read/base/refusal.h"
@@ -66,6 +67,10 @@ void readAnyXml(const Request& request, ManifestWriter& manifest)
 
 void readAnyFormat(const Request& request, ManifestWriter& manifest)
 {
+	if (request.file.starts_with(kDemoPrefix))
+		return readDemo(request, manifest);
+	if (!request.slices.empty() && std::all_of(request.slices.begin(), request.slices.end(), vp::isPictureName))
+		return readSlices(request, manifest);
 	const FileHead head(request.file);
 	if (head.isHdf5())
 		needHdf5(request);
@@ -80,5 +85,7 @@ void readAnyFormat(const Request& request, ManifestWriter& manifest)
 	if (reader == std::end(kReaders))
 		throw notRecognized(head);
 	refuseExecFor(reader->format, head);
+	if (!request.slices.empty() && reader->format != "dicom")
+		return readStack(request, manifest);
 	reader->read(request, manifest);
 }

@@ -24,7 +24,7 @@ Refusal unreadAttribute(const std::string& object, const char* attribute)
 
 } // namespace
 
-Hdf5File::Hdf5File(const std::string& file)
+Hdf5File::Hdf5File(const std::string& file) : name_(file)
 {
 	H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // it would print its own stack of errors
 	H5PLset_loading_state(0);                    // a file does not choose code to load
@@ -70,6 +70,11 @@ bool Hdf5File::isSet(const std::string& path) const
 	if (opened < 0)
 		throw Refusal(fmt::format("its {} cannot be opened; keep the files that it names together", path));
 	return H5Iget_type(opened) == H5I_DATASET;
+}
+
+bool Hdf5File::leadsNowhere(const std::string& path) const
+{
+	return has(path) && Hdf5Handle(H5Oopen(file_, path.c_str(), H5P_DEFAULT), H5Oclose) < 0;
 }
 
 std::vector<std::string> Hdf5File::namesIn(const std::string& group) const

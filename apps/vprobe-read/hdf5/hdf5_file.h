@@ -1,6 +1,7 @@
 #pragma once
 
 #include "grid/field.h"
+#include "vprobe-read/arrays/stored_array.h"
 
 #include <array>
 #include <cstdint>
@@ -22,7 +23,8 @@ public:
 	Hdf5File& operator=(const Hdf5File&) = delete;
 
 	bool has(const std::string& path) const;
-	bool isSet(const std::string& path) const; // and no group
+	bool isSet(const std::string& path) const;        // and no group
+	bool leadsNowhere(const std::string& path) const; // a link whose target is not there
 	// Returns the names in a group, in alphabetical order, or none if there is no group.
 	std::vector<std::string> namesIn(const std::string& group) const;
 
@@ -49,6 +51,10 @@ public:
 	// Returns `count` integers of a list, from `begin` on.
 	std::vector<std::int64_t> integersFrom(const std::string& path, std::uint64_t begin, std::uint64_t count) const;
 
+	// Returns where the values of an image lie in the file (hdf5_stored.h), or nothing if they cannot stay there.
+	std::optional<StoredPlace> storedPlace(const std::string& path, const ValueLayout& layout,
+	                                       const std::vector<std::uint64_t>& front) const;
+
 	bool isFloat(const std::string& path) const;
 	// Returns the least and the greatest number that a data set of integers can hold.
 	std::array<double, 2> limitsOfType(const std::string& path) const;
@@ -63,5 +69,6 @@ private:
 	template <class Number>
 	std::vector<Number> values(const std::string& path, hid_t type) const;
 
+	std::string name_;
 	hid_t file_;
 };

@@ -85,8 +85,63 @@ std::string virtualName(hid_t properties, std::size_t index, NameGetter get)
 	return name.data();
 }
 
-void refuseMissingSources(hid_t set, hid_t properties, const std::string& path)
+// The search for what a data set is made of. HDF5 follows virtual data sets in the same way, and a circle of them would
+// fill its stack.
+struct SourceSearch
 {
+	using Source = std::pair<fs::path, std::string>; // a file and the path of a set in it
+	std::vector<Source> chain;                       // each is made of the next
+	std::set<Source> sound;
+};
+
+void refuseMissingParts(hid_t set, const std::string& path, SourceSearch& search);
+
+// Returns false if there is no such source.
+bool lookAtSource(hid_t set, const std::string& name, const std::string& path, SourceSearch& search)
+{
+	constexpr std::size_t kMaxChain = 16;
+	const auto file = name == "." ? fileOf(set) : foundFile(name, set);
+	const Hdf5Handle opened(file ? H5Fopen(file->c_str(), H5F_ACC_RDONLY, H5P_DEFAULT) : -1, H5Fclose);
+	const Hdf5Handle there(opened < 0 ? -1 : H5Dopen2(opened, path.c_str(), H5P_DEFAULT), H5Dclose);
+	if (there < 0)
+		return false;
+	std::error_code ignored;
+	const SourceSearch::Source source = {fs::weakly_canonical(*file, ignored), path};
+	if (search.sound.contains(source))
+		return true;
+	if (std::ranges::find(search.chain, source) != search.chain.end())
+		throw damaged(fmt::format("its virtual data set {} is made of itself", path));
+	if (search.chain.size() == kMaxChain)
+		throw damaged(fmt::format("its virtual data set {} leads on over more than {} others",
+		                          search.chain.front().second, kMaxChain));
+	search.chain.push_back(source);
+	refuseMissingParts(there, path, search);
+	search.chain.pop_back();
+	search.sound.insert(source);
+	return true;
+}
+
+// "%b" stands for the number of a block.
+std::string withNumber(const std::string& pattern, std::size_t number)
+{
+	std::string name;
+	for (std::size_t at = 0; at < pattern.size(); ++at)
+	{
+		const char next = at + 1 < pattern.size() ? pattern[at + 1] : '\0';
+		if (pattern[at] != '%' || (next != 'b' && next != '%'))
+			name += pattern[at];
+		else
+		{
+			name += next == 'b' ? std::to_string(number) : "%";
+			++at;
+		}
+	}
+	return name;
+}
+
+void refuseMissingSources(hid_t set, hid_t properties, const std::string& path, SourceSearch& search)
+{
+	constexpr std::size_t kMaxNumbered = 1 << 16;
 	std::size_t count = 0;
 	if (H5Pget_layout(properties) != H5D_VIRTUAL || H5Pget_virtual_count(properties, &count) < 0)
 		return;
@@ -95,17 +150,29 @@ void refuseMissingSources(hid_t set, hid_t properties, const std::string& path)
 	{
 		const std::string name = virtualName(properties, i, H5Pget_virtual_filename);
 		const std::string source = virtualName(properties, i, H5Pget_virtual_dsetname);
-		// "%b" stands for a growing number of files.
-		if (name.find('%') != name.npos || source.find('%') != source.npos || !known.emplace(name, source).second)
+		if (!known.emplace(name, source).second)
 			continue;
-		const auto file = name == "." ? fileOf(set) : foundFile(name, set);
-		const Hdf5Handle opened(file ? H5Fopen(file->c_str(), H5F_ACC_RDONLY, H5P_DEFAULT) : -1, H5Fclose);
-		const Hdf5Handle there(opened < 0 ? -1 : H5Dopen2(opened, source.c_str(), H5P_DEFAULT), H5Dclose);
-		if (there < 0)
-			throw Refusal(fmt::format("{} is in {} of {}, which cannot be opened; keep the files together", path,
-			                          source, name == "." ? "the same file" : name));
-		refuseMissingParts(there, source);
+		if ((name + source).find('%') == std::string::npos)
+		{
+			if (!lookAtSource(set, name, source, search))
+				throw Refusal(fmt::format("{} is in {} of {}, which cannot be opened; keep the files together", path,
+				                          source, name == "." ? "the same file" : name));
+			continue;
+		}
+		// There are as many as there are.
+		for (std::size_t n = 0; n < kMaxNumbered; ++n)
+			if (!lookAtSource(set, withNumber(name, n), withNumber(source, n), search))
+				break;
 	}
+}
+
+void refuseMissingParts(hid_t set, const std::string& path, SourceSearch& search)
+{
+	const Hdf5Handle properties(H5Dget_create_plist(set), H5Pclose);
+	if (properties < 0)
+		throw damaged(fmt::format("{} cannot be read", path));
+	refuseShortExternal(set, properties, path);
+	refuseMissingSources(set, properties, path, search);
 }
 
 herr_t addPath(hid_t, const char* name, const H5L_info_t*, void* paths)
@@ -135,11 +202,8 @@ Hdf5Handle openedSet(hid_t file, const std::string& path)
 
 void refuseMissingParts(hid_t set, const std::string& path)
 {
-	const Hdf5Handle properties(H5Dget_create_plist(set), H5Pclose);
-	if (properties < 0)
-		throw damaged(fmt::format("{} cannot be read", path));
-	refuseShortExternal(set, properties, path);
-	refuseMissingSources(set, properties, path);
+	SourceSearch search;
+	refuseMissingParts(set, path, search);
 }
 
 void refuseMissingParts(const std::string& file)

@@ -1,6 +1,7 @@
 // Reads parts of data sets.
 #include "hdf5_file.h"
 #include "hdf5_parts.h"
+#include "hdf5_stored.h"
 #include "vprobe-read/base/refusal.h"
 
 #include <fmt/format.h>
@@ -63,6 +64,12 @@ void Hdf5File::readSlab(const std::string& path, const std::vector<std::uint64_t
 	if (H5Sselect_hyperslab(there, H5S_SELECT_SET, first.data(), nullptr, length.data(), nullptr) < 0 ||
 	    H5Dread(set, nativeType(type), here, there, H5P_DEFAULT, to) < 0)
 		throw unreadSet(set, path);
+}
+
+std::optional<StoredPlace> Hdf5File::storedPlace(const std::string& path, const ValueLayout& layout,
+                                                 const std::vector<std::uint64_t>& front) const
+{
+	return storedPlaceOf(file_, name_, path, layout, front);
 }
 
 std::vector<std::int64_t> Hdf5File::integersFrom(const std::string& path, std::uint64_t begin,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "vprobe-read/arrays/stored_place.h"
 #include "vprobe-read/base/refusal.h"
 
 #include <fmt/format.h>
@@ -33,6 +34,9 @@ public:
 	{
 		check(nc_get_vara(id_, variable, starts.data(), counts.data(), to));
 	}
+	// Returns where the values of a lattice lie that are the last three dimensions of a variable, at these indices of
+	// the others. Returns nothing if they cannot stay there.
+	virtual std::optional<StoredPlace> storedPlace(int, const std::vector<std::size_t>&) const { return std::nullopt; }
 	// Returns true if values that nobody wrote have the type's own fill value.
 	virtual bool marksUnwritten() const { return true; }
 	// Returns the length of a dimension, or 0 if there is none.

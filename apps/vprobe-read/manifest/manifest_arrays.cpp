@@ -1,10 +1,12 @@
 // The arrays of data sets in the manifest.
 #include "manifest_writer.h"
 
+#include "vprobe-read/arrays/stored_array.h"
 #include "vprobe-read/base/is_one_of.h"
 #include "vprobe-read/base/refusal.h"
 
 #include <vtkCellData.h>
+#include <vtkDataSet.h>
 #include <vtkInformation.h>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
@@ -148,7 +150,11 @@ json ManifestWriter::describeArrays(vtkDataSet* points, vtkDataSet* cells)
 				throw damaged(fmt::format("the {} array {} has {} tuples for {} {}s", association, name,
 				                          array->GetNumberOfTuples(), tuples, association));
 			const std::size_t bytes = static_cast<std::size_t>(array->GetNumberOfValues()) * byteSize(*type);
-			json described = writer_.write(*type, array->GetVoidPointer(0), bytes);
+			json described;
+			if (const StoredPlace* place = storedPlaceOf(array))
+				described = {{"type", vp::grid::numberTypeName(*type)}, {"stored", describeStored(*place, writer_)}};
+			else
+				described = writer_.write(*type, array->GetVoidPointer(0), bytes);
 			described["name"] = name;
 			described["association"] = association;
 			described["components"] = array->GetNumberOfComponents();

@@ -51,9 +51,13 @@ std::array<int, 6> extentOf(vtkDataSet* lattice)
 
 void ManifestWriter::addLone(vtkDataObject* object)
 {
+	if (collected_)
+		return add(object);
 	auto* data = vtkDataSet::SafeDownCast(object);
-	if (!data || !parts_.splits() || !addSlab(data))
-		add(object);
+	const vtkSmartPointer<vtkDataSet> moved = data ? displacement_.moved(data) : nullptr;
+	const Displacement::Pause has_moved(displacement_);
+	if (!moved || !parts_.splits() || !addSlab(moved))
+		add(moved ? moved.Get() : object);
 }
 
 // Returns false, without beginning a part, if the data set is not a lattice that can be split.
@@ -73,7 +77,9 @@ bool ManifestWriter::addSlab(vtkDataSet* data)
 
 void ManifestWriter::addLayers(vtkDataObject* object, const CellLayers& layers)
 {
-	auto* whole = vtkDataSet::SafeDownCast(object);
+	auto* read = vtkDataSet::SafeDownCast(object);
+	const vtkSmartPointer<vtkDataSet> whole = read ? displacement_.moved(read) : nullptr;
+	const Displacement::Pause has_moved(displacement_);
 	std::array<int, 3> points = {0, 0, 0};
 	if (!whole || !latticeOf(whole, points) || layers.end >= static_cast<std::size_t>(points[2]))
 		throw damaged("it does not hold the lattice that its head describes");

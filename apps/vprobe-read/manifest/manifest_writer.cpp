@@ -71,6 +71,24 @@ void ManifestWriter::add(vtkDataObject* object)
 		addDataSet("", vtkDataSet::SafeDownCast(object));
 }
 
+std::vector<vtkSmartPointer<vtkDataSet>> ManifestWriter::collect(const std::function<void()>& read)
+{
+	std::vector<vtkSmartPointer<vtkDataSet>> found;
+	PartFilter parts = std::exchange(parts_, {});
+	collected_ = &found;
+	read();
+	collected_ = nullptr;
+	parts_ = std::move(parts);
+	return found;
+}
+
+// Files of one kind say the same of themselves.
+void ManifestWriter::warn(std::string line)
+{
+	if (!collected_ || std::find(warnings_.begin(), warnings_.end(), line) == warnings_.end())
+		warnings_.push_back(std::move(line));
+}
+
 void ManifestWriter::addPatches(vtkDataObject* object)
 {
 	auto* composite = vtkCompositeDataSet::SafeDownCast(object);
@@ -80,7 +98,10 @@ void ManifestWriter::addPatches(vtkDataObject* object)
 	std::size_t number = 0;
 	for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem(), ++number)
 	{
-		auto* data = vtkPointSet::SafeDownCast(leaf->GetCurrentDataObject());
+		const vtkSmartPointer<vtkPointSet> data =
+		    leaf->GetCurrentDataObject()->IsA("vtkPointSet")
+		        ? displacement_.movedPatch(vtkPointSet::SafeDownCast(leaf->GetCurrentDataObject()))
+		        : nullptr;
 		json patch = data ? describePolygons(cell_writer_, data) : json();
 		if (patch.is_null())
 			continue;
@@ -91,11 +112,19 @@ void ManifestWriter::addPatches(vtkDataObject* object)
 	}
 }
 
-void ManifestWriter::addDataSet(const std::string& name, vtkDataSet* given)
+void ManifestWriter::addDataSet(const std::string& name, vtkDataSet* read)
 {
 	json left_out = std::exchange(left_out_, json::array());
-	if (!given || given->GetNumberOfCells() == 0 || !parts_.begin(static_cast<std::size_t>(given->GetNumberOfCells())))
+	if (read && collected_)
+	{
+		// A reader may use its data set again for the next file.
+		collected_->push_back(vtkSmartPointer<vtkDataSet>::Take(read->NewInstance()));
+		collected_->back()->ShallowCopy(read);
 		return;
+	}
+	if (!read || read->GetNumberOfCells() == 0 || !parts_.begin(static_cast<std::size_t>(read->GetNumberOfCells())))
+		return;
+	const vtkSmartPointer<vtkDataSet> given = displacement_.moved(read);
 	const vtkSmartPointer<vtkDataSet> wanted =
 	    wish_.all ? vtkSmartPointer<vtkDataSet>(given) : withWishedArrays(given, left_out);
 	vtkDataSet* data = wanted;
@@ -134,6 +163,8 @@ void ManifestWriter::addDataSet(const std::string& name, vtkDataSet* given)
 
 void ManifestWriter::addImageOf(vtkImageData* piece, const std::array<int, 3>& first)
 {
+	if (displacement_.isOn())
+		return add(piece);
 	json block;
 	json left_out = std::exchange(left_out_, json::array());
 	const vtkSmartPointer<vtkDataSet> wanted =
@@ -169,9 +200,12 @@ void ManifestWriter::addBlock(const std::string& name, json block)
 	blocks_.push_back(std::move(block));
 }
 
-bool ManifestWriter::addQuickly(const std::string& file, int threads, const std::optional<CellLayers>& layers)
+bool ManifestWriter::addQuickly(const std::string& file, int threads, const std::optional<CellLayers>& layers,
+                                std::uint64_t stays_above)
 {
-	std::optional<QuickBlock> quick = readQuickly(file, wish_, threads, writer_, cell_writer_, layers);
+	if (displacement_.isOn() || collected_)
+		return false;
+	std::optional<QuickBlock> quick = readQuickly(file, wish_, threads, writer_, cell_writer_, layers, stays_above);
 	if (!quick)
 		return false;
 	counts_.flat += quick->flat;
@@ -237,6 +271,8 @@ std::string ManifestWriter::finish()
 		if (keeps_ || counts_.flat > 0)
 			throw Refusal("nothing to slice: it holds no three-dimensional cells");
 	}
+	if (std::string note = displacement_.note(); !note.empty())
+		warn(std::move(note));
 	for (std::string& note : takeNotes())
 		warnings_.push_back(std::move(note));
 	json manifest = {{"version", vp::read::kProtocolVersion},
@@ -245,6 +281,7 @@ std::string ManifestWriter::finish()
 	                 {"warnings", warnings_},
 	                 {"files", filesRead()},
 	                 {"sandbox", sandbox_},
+	                 {"bytes_read", bytesRead()},
 	                 {"blocks", blocks_},
 	                 {"patches", patches_}};
 	if (parts_.filters())
@@ -253,13 +290,15 @@ std::string ManifestWriter::finish()
 			throw Refusal("nothing to slice: it holds no three-dimensional cells");
 		manifest["parts"] = parts_.parts();
 		manifest["wholes"] = parts_.blocks();
-		manifest["bytes_read"] = bytesRead();
 	}
 	if (!length_units_.empty())
 		manifest["length_units"] = length_units_;
 	if (imaging_ != vp::grid::Imaging{})
 	{
-		json& imaging = manifest["imaging"] = {{"orientation", imaging_.orientation}, {"gray", imaging_.gray}};
+		json& imaging = manifest["imaging"] = {
+		    {"orientation", imaging_.orientation}, {"gray", imaging_.gray}, {"labels", imaging_.labels}};
+		if (!imaging_.label_names.empty())
+			imaging["label_names"] = imaging_.label_names;
 		if (imaging_.window)
 			imaging["window"] = {imaging_.window->first, imaging_.window->second};
 	}

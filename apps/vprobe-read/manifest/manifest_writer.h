@@ -7,11 +7,13 @@
 #include "vprobe-read/base/part_filter.h"
 #include "vprobe-read/cells/cell_lists.h"
 #include "vprobe-read/convert/convert.h"
+#include "vprobe-read/manifest/displacement.h"
 
 #include <nlohmann/json.hpp>
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,10 +38,14 @@ public:
 	}
 
 	// Reads a file without VTK and adds its block. Offers the file's times too. Returns false, and adds nothing, if the
-	// file is left to VTK. layers: the wanted layers of a lattice; without a value, all layers.
-	bool addQuickly(const std::string& file, int threads, const std::optional<CellLayers>& layers = {});
+	// file is left to VTK. layers: the wanted layers of a lattice; without a value, all layers. stays_above: as of
+	// readQuickly().
+	bool addQuickly(const std::string& file, int threads, const std::optional<CellLayers>& layers = {},
+	                std::uint64_t stays_above = ~std::uint64_t(0));
 	// Adds an object that is alone in its file. It may be split into slabs.
 	void addLone(vtkDataObject* object);
+	// Calls `read`, and returns the data sets that it adds in place of describing them.
+	std::vector<vtkSmartPointer<vtkDataSet>> collect(const std::function<void()>& read);
 	// Adds layers of an image, or of a rectilinear or curvilinear grid. Its part has been begun.
 	void addLayers(vtkDataObject* object, const CellLayers& layers);
 	// Every data set in `object` that holds three-dimensional cells becomes a block.
@@ -48,6 +54,9 @@ public:
 	// places that they have in the whole image.
 	void addImageOf(vtkImageData* piece, const std::array<int, 3>& first);
 	PartFilter& parts() { return parts_; }
+	// Moves the points of what is added from now on.
+	void setDisplacement(Displacement displacement) { displacement_ = std::move(displacement); }
+	Displacement& displacement() { return displacement_; }
 	// Adds the data sets of polygons in `object` as patches of the boundary, by their names. The object may be of any
 	// kind, or null.
 	void addPatches(vtkDataObject* object);
@@ -60,7 +69,7 @@ public:
 	void setImaging(vp::grid::Imaging imaging) { imaging_ = std::move(imaging); }
 	void setTimeUnits(std::string units) { time_units_ = std::move(units); }
 	void setSandbox(std::string text) { sandbox_ = std::move(text); }
-	void warn(std::string line) { warnings_.push_back(std::move(line)); }
+	void warn(std::string line);
 
 	bool isEmpty() const { return blocks_.empty(); }
 	// Returns the data sets that became blocks.
@@ -98,4 +107,6 @@ private:
 	nlohmann::json left_out_ = nlohmann::json::array();
 	std::string prefix_;
 	PartFilter parts_;
+	std::vector<vtkSmartPointer<vtkDataSet>>* collected_ = nullptr; // what is added goes there, if it is not null
+	Displacement displacement_;
 };

@@ -5,6 +5,7 @@
 #include "quick_file.h"
 #include "quick_lattice.h"
 #include "tasks.h"
+#include "vprobe-read/arrays/stored_place.h"
 #include "vprobe-read/base/is_one_of.h"
 
 #include <algorithm>
@@ -22,8 +23,9 @@ class QuickReader
 {
 public:
 	QuickReader(const std::string& path, const ArrayWish& wish, int threads, ArrayWriter& arrays, ArrayWriter& cells,
-	            const std::optional<CellLayers>& layers)
-	    : file_(path), wish_(wish), tasks_(threads), arrays_(arrays), cells_(cells), layers_(layers)
+	            const std::optional<CellLayers>& layers, std::uint64_t stays_above)
+	    : path_(path), file_(path), wish_(wish), tasks_(threads), arrays_(arrays), cells_(cells), layers_(layers),
+	      stays_above_(layers ? ~std::uint64_t(0) : stays_above)
 	{
 	}
 
@@ -131,6 +133,8 @@ private:
 		const std::uint64_t layer = (points[0] - 1) * (points[1] - 1);
 		pieces_ = {{&piece, plane * points[2], layer * layers.count(), plane * layers.begin, layer * layers.begin,
 		            plane * planes, layer * (planes - 1)}};
+		if (isOneOf(file_.type(), {"ImageData", "RectilinearGrid"}))
+			lattice_ = points;
 		if (file_.type() == "ImageData")
 			describeImage(data, extent, points);
 		else if (file_.type() == "RectilinearGrid")
@@ -261,6 +265,23 @@ private:
 		return ArrayWriter::describe(kind.type, at, total);
 	}
 
+	// Returns the description of an array of a lattice that stays in the file, or null.
+	json inFile(const XmlElement& array, const ArrayKind& kind, bool is_point)
+	{
+		if (lattice_[0] == 0)
+			return {};
+		std::array<std::uint64_t, 3> items = lattice_;
+		for (std::uint64_t& count : items)
+			count -= is_point ? 0 : 1;
+		const std::uint64_t bytes = items[0] * items[1] * items[2] * kind.tupleBytes();
+		const std::optional<std::uint64_t> begin =
+		    bytes > stays_above_ ? file_.open(array, bytes)->placeInFile() : std::nullopt;
+		if (!begin)
+			return {};
+		const StoredPlace place = storedRows(path_, *begin, items, kind.tupleBytes(), false);
+		return {{"type", vp::grid::numberTypeName(kind.type)}, {"stored", describeStored(place, arrays_)}};
+	}
+
 	static const std::vector<XmlElement>& arraysOf(const QuickPiece& piece, std::string_view element)
 	{
 		static const std::vector<XmlElement> none;
@@ -317,8 +338,11 @@ private:
 			const bool is_shown = !has_shown_;
 			has_shown_ = true;
 			const bool wanted = wish_.wants(association, name, is_shown);
-			json described = wanted ? copyPieces(arrays, kind, tuples, arrays_)
-			                        : json{{"type", vp::grid::numberTypeName(kind.type)}, {"left_out", true}};
+			json described;
+			if (!wanted)
+				described = {{"type", vp::grid::numberTypeName(kind.type)}, {"left_out", true}};
+			else if (described = inFile(first[i], kind, association[0] == 'p'); described.is_null())
+				described = copyPieces(arrays, kind, tuples, arrays_);
 			described["name"] = name;
 			described["association"] = association;
 			described["components"] = kind.components;
@@ -328,12 +352,15 @@ private:
 		}
 	}
 
+	const std::string path_;
 	QuickFile file_;
 	const ArrayWish& wish_;
 	Tasks tasks_;
 	ArrayWriter& arrays_;
 	ArrayWriter& cells_;
 	std::optional<CellLayers> layers_;
+	std::uint64_t stays_above_;
+	std::array<std::uint64_t, 3> lattice_{0, 0, 0}; // points of one with straight axes
 	std::uint64_t first_plane_ = 0;
 	std::vector<QuickPiece> pieces_;
 	QuickBlock block_;
@@ -345,13 +372,14 @@ private:
 } // namespace
 
 std::optional<QuickBlock> readQuickly(const std::string& file, const ArrayWish& wish, int threads, ArrayWriter& arrays,
-                                      ArrayWriter& cells, const std::optional<CellLayers>& layers)
+                                      ArrayWriter& cells, const std::optional<CellLayers>& layers,
+                                      std::uint64_t stays_above)
 {
 	const std::size_t arrays_mark = arrays.mark();
 	const std::size_t cells_mark = cells.mark();
 	try
 	{
-		return QuickReader(file, wish, threads, arrays, cells, layers).read();
+		return QuickReader(file, wish, threads, arrays, cells, layers, stays_above).read();
 	}
 	catch (const NotQuick&)
 	{

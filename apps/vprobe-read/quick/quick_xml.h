@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,8 @@ struct QuickBlock
 // Reads a .vti, .vtr, .vts or .vtu file without VTK: on all cores, each array directly to its place in the shared
 // memory. It supports files as VTK, ParaView and meshio write them: little endian; appended or inline data, raw, in
 // base64 or compressed; linear cells; no hidden cells. Everything else, damaged files too, is left to VTK: then this
-// returns nothing and writes nothing. layers: the wanted layers of a lattice; without a value, all layers.
+// returns nothing and writes nothing. layers: the wanted layers of a lattice; without a value, all layers. stays_above:
+// arrays of images and rectilinear grids of more bytes stay in the file where they are not packed.
 std::optional<QuickBlock> readQuickly(const std::string& file, const ArrayWish& wish, int threads, ArrayWriter& arrays,
-                                      ArrayWriter& cells, const std::optional<CellLayers>& layers = {});
+                                      ArrayWriter& cells, const std::optional<CellLayers>& layers = {},
+                                      std::uint64_t stays_above = ~std::uint64_t(0));

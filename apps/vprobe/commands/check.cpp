@@ -179,6 +179,8 @@ Result<ExitCode> runCheck(const CheckOptions& options)
 		return ready.error();
 	if (Status level = view::requireLevel(options.input.spec.input, "vprobe check"); !level)
 		return level.error();
+	if (options.input.spec.input.cell_to_point)
+		return Error{ErrorKind::usage, "`cell_to_point`: vprobe check looks at cells, not at arrays; leave it out"};
 	if (!options.output.empty() && options.output != "-" && !options.output.ends_with(".vtp"))
 		return Error{ErrorKind::usage, fmt::format("-o {}: bad cells are written as .vtp", options.output)};
 	if (options.output == "-" && options.json)

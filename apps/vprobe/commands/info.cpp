@@ -43,6 +43,7 @@ struct ArrayInfo
 {
 	const grid::Field* field;
 	grid::ValueSpan range; // empty if no value is finite
+	bool is_known = true;  // the range; not that of an array that stays in its file
 };
 
 std::vector<ArrayInfo> listArrays(const grid::BlockSet& blocks)
@@ -61,7 +62,11 @@ std::vector<ArrayInfo> listArrays(const grid::BlockSet& blocks)
 			ArrayInfo info = {&field, {}};
 			for (const grid::Block& each : blocks.blocks)
 				if (const grid::Field* same = grid::FieldChoice{field.name, field.association, component}.in(each))
-					info.range.include(grid::valueSpan(*same, component));
+				{
+					info.is_known = info.is_known && !same->stored;
+					if (info.is_known)
+						info.range.include(grid::valueSpan(*same, component));
+				}
 			arrays.push_back(info);
 		}
 	return arrays;
@@ -97,16 +102,26 @@ std::optional<LatticeFacts> latticeOf(const grid::Block& block)
 	return found;
 }
 
+// Null for an array in memory.
+nlohmann::json partsJson(const grid::Field& field)
+{
+	if (!field.stored)
+		return {};
+	return {{"all", field.stored->layout().partCount()}, {"shape", field.stored->layout().part}};
+}
+
 nlohmann::json infoJson(const grid::BlockSet& blocks)
 {
 	nlohmann::json arrays = nlohmann::json::array();
-	for (const auto& [field, range] : listArrays(blocks))
-		arrays.push_back(
-		    {{"name", field->name},
-		     {"association", grid::associationName(field->association)},
-		     {"components", field->components},
-		     {"type", grid::numberTypeName(field->type)},
-		     {"range", range.empty() ? nlohmann::json{nullptr, nullptr} : nlohmann::json{range.lo, range.hi}}});
+	for (const auto& [field, range, is_known] : listArrays(blocks))
+		arrays.push_back({{"name", field->name},
+		                  {"association", grid::associationName(field->association)},
+		                  {"components", field->components},
+		                  {"type", grid::numberTypeName(field->type)},
+		                  {"range", !is_known       ? nlohmann::json()
+		                            : range.empty() ? nlohmann::json{nullptr, nullptr}
+		                                            : nlohmann::json{range.lo, range.hi}},
+		                  {"parts", partsJson(*field)}});
 	nlohmann::json block_list = nlohmann::json::array();
 	for (const grid::Block& block : blocks.blocks)
 	{
@@ -287,10 +302,13 @@ void printInfo(const grid::BlockSet& blocks)
 	const auto arrays = listArrays(blocks);
 	if (arrays.empty())
 		print("arrays  none\n");
-	for (const auto& [field, range] : arrays)
+	for (const auto& [field, range, is_known] : arrays)
 		print("array   {}:{}  {} x {}, {}{}\n", grid::associationName(field->association), field->name,
 		      field->components, grid::numberTypeName(field->type), field->components == 1 ? "" : "magnitude ",
-		      range.empty() ? "no finite value" : rangeWords(range.lo, range.hi, digitsOf(field->type)));
+		      !is_known       ? fmt::format("stays in the file in {} parts of {}", field->stored->layout().partCount(),
+		                                    fmt::join(field->stored->layout().part, " x "))
+		      : range.empty() ? "no finite value"
+		                      : rangeWords(range.lo, range.hi, digitsOf(field->type)));
 }
 
 void listFormats(bool as_json)
@@ -343,6 +361,7 @@ void addInfo(CLI::App& program, Run& run)
 	auto options = std::make_shared<InfoOptions>();
 	CLI::App* command = program.add_subcommand("info", "Tell what an input holds: grid, bounds, times, arrays");
 	addInputs(*command, options->input)->required(false);
+	addMemory(*command, options->input);
 	command->add_flag("--formats", options->formats, "List the formats that can be read, and what is read of each");
 	command->add_flag("--json", options->json, "Write JSON for scripts");
 	command->callback([&run, options] { run = [options] { return runInfo(*options); }; });

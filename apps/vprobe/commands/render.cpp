@@ -1,3 +1,4 @@
+#include "base/file_pattern.h"
 #include "commands/commands.h"
 #include "options/spec_options.h"
 #include "picture/painter.h"
@@ -36,7 +37,10 @@ struct RenderOptions
 // Returns the picture's name if the user gives none: the input's name, in the current folder.
 std::string defaultOutput(const view::InputSpec& input)
 {
-	std::string name = input.files.empty() ? "picture" : std::filesystem::path(input.files.front()).filename().string();
+	std::filesystem::path first = input.files.empty() ? "picture" : input.files.front();
+	if (first.filename().empty() || isFilePattern(first.string()))
+		first = first.parent_path(); // "slices/" and "slices/*.tif" are called slices
+	std::string name = first.empty() ? "picture" : first.filename().string();
 	if (name.starts_with("demo:"))
 		std::ranges::replace(name, ':', '-');
 	else
@@ -108,6 +112,8 @@ Result<ExitCode> runRender(RenderOptions& options)
 	if (!made)
 		return made.error();
 	const session::Frame& frame = **made;
+	session::reportOverlap(session, frame.slice, frame.sheets);
+	session::reportRowsAcross(session);
 	Result<picture::Painter> painter = picture::Painter::create(session, std::move(*look));
 	if (!painter)
 		return painter.error();

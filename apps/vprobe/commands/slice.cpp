@@ -183,6 +183,8 @@ Result<ExitCode> runSlice(const SliceOptions& options, const CLI::App& command)
 		return made.error();
 	const session::Frame& frame = **made;
 	session::reportBoundarySheets(session, frame.sheets);
+	session::reportOverlap(session, frame.slice, frame.sheets);
+	session::reportRowsAcross(session);
 	Result<std::vector<std::string>> written = writeFiles(session, options, *look, frame);
 	if (!written)
 		return written.error();

@@ -5,6 +5,7 @@
 #include "report/explain.h"
 #include "report/stats_json.h"
 #include "session/time_steps.h"
+#include "session/times_seen.h"
 #include "sweep/sweep_line.h"
 #include "team.h"
 #include "view/validate.h"
@@ -12,6 +13,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -32,14 +34,16 @@ struct SweepOptions
 	bool resume = false;
 
 	bool exports() const { return output.ends_with(".pvd"); }
-	bool draws() const { return !exports() || !exposure.empty(); }
+	bool draws() const { return (!output.empty() && !exports()) || !exposure.empty(); }
 };
 
 Status checkSweepOptions(const SweepOptions& options)
 {
-	if (options.output.empty() && options.exposure.empty())
-		return Error{ErrorKind::usage,
-		             "-o: a sweep needs a place; give frames/{frame:04}.png, a film's name, out.pvd, or --exposure"};
+	if (options.output.empty() && options.exposure.empty() && options.stats.empty())
+		return Error{ErrorKind::usage, "-o: a sweep needs a place; give frames/{frame:04}.png, a film's name, out.pvd, "
+		                               "--exposure, or --stats for figures alone"};
+	if (options.common.spec.sweep.seconds && !write::isFilm(options.output))
+		return Error{ErrorKind::usage, "--seconds: is the length of a film; give one by -o, or leave --seconds out"};
 	const bool pictures = std::filesystem::path(options.output).extension() == ".png";
 	if (!options.output.empty() && !pictures && !write::isFilm(options.output) && !options.exports())
 		return Error{ErrorKind::usage, fmt::format("-o {}: frames are written as .png, films as .mp4, .mkv, .webm or "
@@ -101,8 +105,7 @@ Result<nlohmann::json> sweepAlong(const probe::Path& path, const SweepPlan& plan
 	return sweepThrough(plan, ask, session, products);
 }
 
-Result<nlohmann::json> sweepOverTimes(const SweepOptions& options, SweepPlan plan, session::Session& session,
-                                      SweepProducts& products)
+Result<nlohmann::json> sweepOverTimes(SweepPlan plan, session::Session& session, SweepProducts& products)
 {
 	const std::vector<double> times = session.blocks().times;
 	plan.frames = static_cast<int>(times.size());
@@ -110,8 +113,8 @@ Result<nlohmann::json> sweepOverTimes(const SweepOptions& options, SweepPlan pla
 	if (times.empty())
 		return Error{ErrorKind::input, fmt::format("{}: has no times to sweep over; choose another --path",
 		                                           session.spec().input.files.front())};
-	if (!session.spec().look.range && options.draws())
-		warn("--path times: the colors follow the range of each time; --range LO HI holds them still");
+	if (Status fitted = products.fitTimes(session::firstMiddleAndLast(times.size())); !fitted)
+		return fitted.error();
 	plan.times = &times;
 	// If only values differ between times, the cells that were found are kept, and neighbors would not be used.
 	const auto ask = [](int) { return session::FrameRequest{.expect = session::Expect::first_of_many}; };
@@ -124,7 +127,9 @@ Result<ExitCode> runSweep(const SweepOptions& options)
 	if (Status ready = prepare(options.common); !ready)
 		return ready.error();
 	// Polygons are written with every array.
-	session::OpenOptions how{.expect = session::Expect::first_of_many, .reads_all_arrays = options.exports()};
+	session::OpenOptions how{.expect = session::Expect::first_of_many,
+	                         .reads_all_arrays = options.exports(),
+	                         .one_cut_a_time = spec.sweep.over_times};
 	how.ranks = processes();
 	if (options.common.explain)
 		return explain(spec, how);
@@ -136,42 +141,58 @@ Result<ExitCode> runSweep(const SweepOptions& options)
 	Result<view::ResolvedLook> look = view::resolveLook(spec);
 	if (!look)
 		return look.error();
-	look->captions = options.exposure.empty(); // they would write over each other
+	look->captions = look->captions && options.exposure.empty(); // they would write over each other
 	const Result<int> count = view::frameCount(spec.sweep);
 	if (!count)
 		return count.error();
 	if (options.exports() && isFirst())
 		if (Result<write::SliceSeries> tried = write::SliceSeries::create(options.output); !tried)
 			return tried.error();
-	Result<Frames> frames =
-	    Frames::create(placesOf(options), look->look.width, look->look.height, spec.sweep.frames_per_second);
-	if (!frames)
-		return frames.error();
+	std::optional<Frames> frames;
+	const auto makeFrames = [&, size = look->spec.size](int frame_count) -> Status
+	{
+		Result<Frames> made =
+		    Frames::create(placesOf(options), size.width, size.height, view::filmSpeed(spec.sweep, frame_count));
+		if (made)
+			frames.emplace(std::move(*made));
+		return made ? Status(Nothing{}) : made.error();
+	};
+	if (Status made = makeFrames(std::max(*count, 1)); !made)
+		return made.error();
 	Result<std::optional<write::TraceFile>> trace = openTrace(options.trace);
 	if (!trace)
 		return trace.error();
 
 	how.use = options.draws() ? session::DeviceUse::draw : session::DeviceUse::classify;
-	how.keep = *trace ? Timeline::Keep::sections : Timeline::Keep::totals;
+	how.keep = *trace ? Timeline::Keep::trace : Timeline::Keep::totals;
 	Result<std::unique_ptr<session::Session>> opened = session::Session::open(spec, how);
 	if (!opened)
 		return opened.error();
 	session::Session& session = **opened;
 	if (Status free = frames->refuseInputs(*count); !free)
 		return free.error();
+	// Now the number of times is known.
+	if (spec.sweep.over_times && spec.sweep.seconds && !session.blocks().times.empty())
+		if (Status made = makeFrames(static_cast<int>(session.blocks().times.size())); !made)
+			return made.error();
 	Result<std::unique_ptr<SweepProducts>> products =
 	    productsOf(options, session, std::move(*look), std::move(*frames));
 	if (!products)
 		return products.error();
 	const bool threads = spec.machine.threads != 1 && session.ranks().mayCallAtOnce(); // one thread is one
-	const SweepPlan plan{*count, threads, threads, !options.stats.empty(), *trace ? &**trace : nullptr};
+	const SweepPlan plan{*count,
+	                     threads,
+	                     threads,
+	                     !options.stats.empty(),
+	                     *trace ? &**trace : nullptr,
+	                     (*products)->makesFiles() ? FrameScope::Stop::file : FrameScope::Stop::cut};
 	Result<nlohmann::json> figures = spec.sweep.over_times
-	                                     ? sweepOverTimes(options, plan, session, **products)
+	                                     ? sweepOverTimes(plan, session, **products)
 	                                     : sweepAlong(view::pathOf(spec.sweep), plan, session, **products);
 	if (!figures)
 		return figures.error();
 	if (*trace)
-		if (Status written = (*trace)->commit(); !written)
+		if (Status written = commitTrace(session, **trace); !written)
 			return written.error();
 	if (Status saved = saveSpec(options.common); !saved)
 		return saved.error();

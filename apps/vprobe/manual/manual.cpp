@@ -25,7 +25,8 @@ constexpr std::array kExitCodes{
     std::pair{ExitCode::output, "Output that cannot be written, and everything else."},
     std::pair{ExitCode::findings, "A check found something."},
     std::pair{ExitCode::differs, "A picture or a figure is not as expected."},
-    std::pair{ExitCode::interrupted, "Interrupted."},
+    std::pair{ExitCode::interrupted, "Ended by Ctrl-C. After other signals the code is 128 and the signal's number, as "
+                                     "143 after SIGTERM."},
 };
 
 // Escapes text for roff: hyphens become minus signs, and no line begins with a request.

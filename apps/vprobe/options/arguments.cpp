@@ -5,9 +5,27 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <utility>
 
 namespace vp::app
 {
+
+namespace
+{
+
+std::vector<std::string> command_line;
+
+} // namespace
+
+const std::vector<std::string>& commandLine()
+{
+	return command_line;
+}
+
+void setCommandLine(std::vector<std::string> arguments)
+{
+	command_line = std::move(arguments);
+}
 
 std::vector<std::string> joinNumbers(const std::vector<std::string>& given)
 {

@@ -11,4 +11,8 @@ namespace vp::app
 /// takes one argument: if it took more, it would also take an INPUT that follows a word.
 std::vector<std::string> joinNumbers(const std::vector<std::string>& given);
 
+/// The arguments of this process, those after the program's name, for a command that starts itself again.
+const std::vector<std::string>& commandLine();
+void setCommandLine(std::vector<std::string> arguments);
+
 } // namespace vp::app

@@ -132,18 +132,30 @@ struct AddOption
 
 } // namespace
 
+namespace
+{
+
+CLI::Option* addOption(CLI::App& command, SpecOptions& options, view::Setting setting)
+{
+	setting.help = withOptionNames(setting.help);
+	CLI::Option* option = std::visit(AddOption{command, options, setting}, setting.place);
+	if (!setting.values.empty() && !std::holds_alternative<view::Files>(setting.place))
+		option->type_name(setting.values);
+	return option;
+}
+
+} // namespace
+
 void addSettings(CLI::App& command, SpecOptions& options, std::string_view section, Scope scope)
 {
-	view::Section all = view::sectionOf(options.spec, section);
-	for (view::Setting& setting : all.settings)
+	const view::Section all = view::sectionOf(options.spec, section);
+	for (const view::Setting& setting : all.settings)
 	{
-		setting.help = withOptionNames(setting.help);
 		if ((setting.offer == view::Offer::in_space && scope == Scope::flat) ||
+		    (setting.offer == view::Offer::flat && scope != Scope::flat) ||
 		    (setting.offer == view::Offer::with_cuts && scope == Scope::no_cut))
 			continue;
-		CLI::Option* option = std::visit(AddOption{command, options, setting}, setting.place);
-		if (!setting.values.empty() && !std::holds_alternative<view::Files>(setting.place))
-			option->type_name(setting.values);
+		CLI::Option* option = addOption(command, options, setting);
 		if (*all.title)
 			option->group(all.title);
 	}
@@ -152,6 +164,13 @@ void addSettings(CLI::App& command, SpecOptions& options, std::string_view secti
 		command.get_option("--iso")->excludes(command.get_option("--surface"));
 	if (section == "look")
 		command.get_option("--window-level")->excludes(command.get_option("--range"));
+}
+
+void addMemory(CLI::App& command, SpecOptions& options)
+{
+	for (const view::Setting& setting : view::sectionOf(options.spec, "machine").settings)
+		if (setting.key == std::string_view("memory"))
+			addOption(command, options, setting);
 }
 
 CLI::Option* addInputs(CLI::App& command, SpecOptions& options)

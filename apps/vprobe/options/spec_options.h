@@ -37,6 +37,7 @@ enum class Scope : std::uint8_t
 // Adds the options of a section of the settings: input, probe, look, vectors, contours, sweep or machine. Errors in
 // values are kept in `wrong`, because the input may still come from a state.
 void addSettings(CLI::App& command, SpecOptions& options, std::string_view section, Scope scope = Scope::all);
+void addMemory(CLI::App& command, SpecOptions& options);         // --memory alone, for commands that cut nothing
 CLI::Option* addInputs(CLI::App& command, SpecOptions& options); // returns INPUT, which is required
 void addTrustOptions(CLI::App& command);                       // what the reader of INPUT may do; addInputs() adds them
 void addProbeOptions(CLI::App& command, SpecOptions& options); // the probe, and the machine

@@ -1,6 +1,12 @@
 #include "options/trace_option.h"
 
+#include "gpu/driver_name.h"
+#include "options/arguments.h"
 #include "team.h"
+#include "version.h"
+
+#include <fmt/ranges.h>
+#include <tbb/global_control.h>
 
 namespace vp::app
 {
@@ -22,6 +28,26 @@ Result<std::optional<write::TraceFile>> openTrace(const std::string& path)
 	if (!file)
 		return file.error();
 	return std::optional(std::move(*file));
+}
+
+void addToTrace(const session::Session& session, write::TraceFile& trace)
+{
+	Timeline& timeline = *session.timeline();
+	std::vector<Timeline::Section> sections = timeline.takeSections();
+	trace.add(std::move(sections), timeline.takeMarks());
+}
+
+Status commitTrace(const session::Session& session, write::TraceFile& trace)
+{
+	const gpu::Device* device = session.device().get();
+	trace.describe("program", fmt::format("vprobe {}", kVersion));
+	trace.describe("command_line", fmt::format("{}", fmt::join(commandLine(), " ")));
+	trace.describe("input", fmt::format("{}", fmt::join(session.spec().input.files, ", ")));
+	trace.describe("device", device ? device->name() : "none");
+	trace.describe("driver", device ? gpu::driverName(*device) : "none");
+	trace.describe("threads",
+	               fmt::format("{}", tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)));
+	return trace.commit();
 }
 
 } // namespace vp::app

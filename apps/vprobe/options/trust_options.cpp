@@ -4,27 +4,11 @@
 
 #include <CLI/CLI.hpp>
 
-#include <filesystem>
 #include <string>
-#include <system_error>
 #include <vector>
 
 namespace vp::app
 {
-
-namespace
-{
-
-// Returns what is wrong with a value of --follow, or nothing.
-std::string folderOrAnywhere(const std::string& folder)
-{
-	std::error_code unknown;
-	if (folder == "anywhere" || std::filesystem::is_directory(folder, unknown))
-		return {};
-	return folder + ": no such folder; name one, or anywhere";
-}
-
-} // namespace
 
 // They are no settings: a state or a file of commands must not open the sandbox.
 void addTrustOptions(CLI::App& command)
@@ -36,7 +20,13 @@ void addTrustOptions(CLI::App& command)
 	        "Let INPUT name files in this folder, too, or anywhere; give it again for several (default: only in its "
 	        "own folder)")
 	    ->type_name("FOLDER|anywhere")
-	    ->check(folderOrAnywhere, "")
+	    ->check(
+	        [](const std::string& folder)
+	        {
+		        const Status fits = read::checkFollow(folder);
+		        return fits ? std::string() : fits.error().message;
+	        },
+	        "")
 	    ->expected(1)
 	    ->take_all()
 	    ->group(group);

@@ -21,70 +21,65 @@ using nlohmann::json;
 
 constexpr std::uintmax_t kMaxBytes = 64u << 20; // size of a profile: a generation takes some 200 bytes
 
-// Two runs of one program differ by this part of the value on an otherwise idle machine (docs/PROFILE.md).
-constexpr double kRunNoise = 0.05;
-constexpr double kOnceNoise = 0.25; // for a figure that is measured once per run
-constexpr double kResidentNoise = 0.02;
+// By how many times as long two runs of one program may take, although nothing has changed. The runs were at different
+// times, and nothing in their files tells what else the machine did then (docs/PROFILE.md).
+constexpr double kRunFactor = 2.0;
+constexpr double kOnceFactor = 3.0; // for a figure that is measured once per run, and for the slowest planes
+constexpr double kResidentFactor = 1.05;
+constexpr double kWakeMs = 0.05; // a thread that the system wakes late adds this to any time
 
-// A figure of a profile, and by how much it may be off by chance.
+// A figure of a profile. If the ratio of two runs' figures is not above `factor`, or the difference not above `least`,
+// that may be chance.
 struct Figure
 {
 	double value;
-	double noise;
+	double factor;
+	double least = 0.0;
 };
 using Figures = std::map<std::string, Figure>;
-
-double numberIn(const json& object, const char* key, double otherwise = 0.0)
-{
-	const auto at = object.find(key);
-	return at != object.end() && at->is_number() ? at->get<double>() : otherwise;
-}
 
 bool isSpread(const json& value)
 {
 	return value.is_object() && value.contains("median") && value.contains("noise");
 }
 
-// Adds both figures with twice their standard errors. If a single measurement has the deviation `noise`, the standard
-// error of the median of n is about 1.25 noise / sqrt(n), and that of their 95th percentile is 2.1 noise / sqrt(n).
-void addSpread(const std::string& key, const json& spread, double planes, Figures& figures)
+void addSpread(const std::string& key, const json& spread, Figures& figures)
 {
-	const double noise = numberIn(spread, "noise");
-	const double root = std::sqrt(std::max(1.0, planes));
-	const auto add = [&](const char* name, double chance, double run_noise)
+	const auto add = [&](const char* name, double factor)
 	{
 		if (const auto at = spread.find(name); at != spread.end() && at->is_number())
-			figures[key + "." + name] = {at->get<double>(), std::hypot(2.0 * chance, run_noise * at->get<double>())};
+			figures[key + "." + name] = {at->get<double>(), factor, kWakeMs};
 	};
-	add("median", 1.25 * noise / root, kRunNoise);
-	add("p95", 2.1 * noise / root, 2.0 * kRunNoise);
-	add("first", noise, kOnceNoise);
+	add("median", kRunFactor);
+	add("p95", kOnceFactor);
+	add("first", kOnceFactor);
 }
 
-double recordedNoise(const std::string& key, double value)
+// A count has no noise.
+double factorOf(const std::string& key)
 {
 	if (key.starts_with("setup_ms."))
-		return kOnceNoise * value;
-	if (key == "ns_per_cut_cell" || key == "cells_per_second")
-		return kRunNoise * value;
-	return key == "memory_bytes.peak_rss" ? kResidentNoise * value : 0.0;
+		return kOnceFactor;
+	if (key == "ns_per_cut_cell" || key == "cells_per_second" || key == "break_even_cells")
+		return kRunFactor;
+	return key == "memory_bytes.peak_rss" ? kResidentFactor : 1.0;
 }
 
-void addFigures(const std::string& prefix, const json& object, double planes, Figures& figures)
+void addFigures(const std::string& prefix, const json& object, Figures& figures)
 {
 	for (const auto& [name, value] : object.items())
 	{
 		const std::string key = prefix + name;
 		if (isSpread(value))
-			addSpread(key, value, planes, figures);
+			addSpread(key, value, figures);
 		else if (value.is_object())
-			addFigures(key + ".", value, planes, figures);
+			addFigures(key + ".", value, figures);
 		else if (value.is_number())
-			figures[key] = {value.get<double>(), recordedNoise(key, value.get<double>())};
+			figures[key] = {value.get<double>(), factorOf(key), key.starts_with("setup_ms.") ? kWakeMs : 0.0};
 		else if (value.is_array() && name.ends_with("stages"))
 			for (const json& stage : value)
 				if (isSpread(stage) && stage.contains("stage") && stage["stage"].is_string())
-					addSpread(key + "." + stage["stage"].get<std::string>(), stage, planes, figures);
+					addSpread(key + "." + stage["stage"].get<std::string>(), stage, figures);
 	}
 }
 
@@ -95,11 +90,11 @@ constexpr const char* kSubject[] = {"input", "grid",    "array",     "device", "
 
 Figures figuresOf(json document)
 {
-	const double planes = numberIn(document, "planes", 1.0);
 	for (const char* key : kSubject)
 		document.erase(key);
+	document.erase("floor"); // the machine's
 	Figures figures;
-	addFigures("", document, planes, figures);
+	addFigures("", document, figures);
 	return figures;
 }
 
@@ -110,7 +105,15 @@ struct Change
 	std::optional<Figure> b;
 
 	bool sameValue() const { return a && b && a->value == b->value; }
-	bool byChance() const { return a && b && std::abs(a->value - b->value) <= std::hypot(a->noise, b->noise); }
+	bool byChance() const
+	{
+		if (sameValue())
+			return true;
+		if (!a || !b || a->factor == 1.0)
+			return false;
+		const auto [low, high] = std::minmax(a->value, b->value);
+		return high <= a->factor * low || high - low <= a->least;
+	}
 	double ratio() const { return a && b ? b->value / a->value : std::numeric_limits<double>::quiet_NaN(); }
 	// Returns how much the values differ, for sorting. A figure that one run lacks comes first.
 	double size() const
@@ -191,7 +194,10 @@ Result<json> readProfile(const std::string& file)
 
 std::string compareProfiles(const json& a, const json& b, const std::string& file_a, const std::string& file_b)
 {
-	std::string text = fmt::format("A: {}\nB: {}\n\n{}", file_a, file_b, subjectChanges(a, b));
+	std::string text =
+	    fmt::format("A: {}\nB: {}\n\n{}The two were not measured in turns: a time that differs by less than {:g} times "
+	                "({:g} times, if it was measured once) may be chance. To know, measure with --versus.\n\n",
+	                file_a, file_b, subjectChanges(a, b), kRunFactor, kOnceFactor);
 	text += fmt::format("{:<34} {:>12} {:>12} {:>8}\n", "", "A", "B", "B / A");
 	std::size_t same = 0;
 	for (const Change& change : changesBetween(figuresOf(a), figuresOf(b)))
@@ -204,7 +210,7 @@ std::string compareProfiles(const json& a, const json& b, const std::string& fil
 		const bool has_ratio = std::isfinite(change.ratio());
 		text += fmt::format("{:<34} {:>12} {:>12} {:>8}{}\n", change.key, numberText(change.a), numberText(change.b),
 		                    has_ratio ? fmt::format("{:.3f}", change.ratio()) : "-",
-		                    change.byChance() ? "  by chance" : "");
+		                    change.byChance() ? "  may be chance" : "");
 	}
 	return text + fmt::format("\n{} figures are the same\n", same);
 }

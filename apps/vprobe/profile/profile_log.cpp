@@ -40,6 +40,23 @@ const char* finderOf(const cut::SheetCut& sheet, std::size_t block)
 
 } // namespace
 
+std::vector<StageTime> stageTimes(std::vector<Section> sections)
+{
+	std::vector<StageTime> times;
+	for (const Section& section : inOrder(std::move(sections)))
+	{
+		if (section.track != Timeline::Track::cpu && section.track != Timeline::Track::gpu)
+			continue; // it is only for traces
+		const auto same = [&](const StageTime& time)
+		{ return time.track == section.track && time.name == section.name; };
+		if (const auto known = std::ranges::find_if(times, same); known != times.end())
+			known->ms += section.duration_ms;
+		else
+			times.push_back({section.name, section.track, section.depth, section.duration_ms});
+	}
+	return times;
+}
+
 void ProfileLog::add(const cut::Cut& slice, const std::vector<session::SheetStats>& sheets,
                      const std::vector<Section>& sections)
 {
@@ -82,11 +99,11 @@ Stage& ProfileLog::stageOf(const std::string& name, Timeline::Track track, std::
 
 void ProfileLog::addStages(const std::vector<Section>& sections)
 {
-	for (const Section& section : sections)
+	for (const StageTime& time : stageTimes(sections))
 	{
-		Stage& stage = stageOf(section.name, section.track, section.depth);
+		Stage& stage = stageOf(time.name, time.track, time.depth);
 		stage.ms.resize(planes() + 1, 0.0);
-		stage.ms.back() += section.duration_ms;
+		stage.ms.back() = time.ms;
 	}
 	for (Stage& stage : stages_)
 		stage.ms.resize(planes() + 1, 0.0);

@@ -21,6 +21,18 @@ struct Stage
 	std::vector<double> ms;
 };
 
+// The time that one part of the work took on one plane.
+struct StageTime
+{
+	std::string name;
+	Timeline::Track track;
+	std::uint32_t depth; // as in Stage
+	double ms;
+};
+
+// Sums the sections of one plane by their names. The stages stand in the order in which they begin.
+std::vector<StageTime> stageTimes(std::vector<Timeline::Section> sections);
+
 // Holds the figures of generation k, one entry for each plane whose traversal has this generation.
 struct GenerationLog
 {

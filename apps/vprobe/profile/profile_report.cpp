@@ -93,20 +93,13 @@ double nsPerCutCell(const ProfileLog& log)
 	return medianOf(per_cell);
 }
 
-std::size_t peakResident()
-{
-	rusage usage{};
-	getrusage(RUSAGE_SELF, &usage);
-	return static_cast<std::size_t>(usage.ru_maxrss) * 1024; // Linux returns KiB
-}
-
-nlohmann::json memoryJson(const session::Session& session)
+nlohmann::json memoryJson(const session::Session& session, std::size_t peak_rss)
 {
 	const grid::Memory grid = grid::memoryOf(session.blocks());
 	const cut::Cutter::Memory cutter = session.cutter().memory();
 	return {{"grid", grid.read()},
 	        {"extra", grid.built() + cutter.marks + cutter.device},
-	        {"peak_rss", peakResident()},
+	        {"peak_rss", peak_rss},
 	        {"parts",
 	         {{"geometry", grid.geometry},
 	          {"arrays", grid.arrays},
@@ -144,6 +137,13 @@ nlohmann::json subjectJson(const Profile& profile)
 
 } // namespace
 
+std::size_t peakResident()
+{
+	rusage usage{};
+	getrusage(RUSAGE_SELF, &usage);
+	return static_cast<std::size_t>(usage.ru_maxrss) * 1024; // Linux returns KiB
+}
+
 nlohmann::json profileJson(const Profile& profile)
 {
 	const ProfileLog& log = profile.log;
@@ -168,10 +168,17 @@ nlohmann::json profileJson(const Profile& profile)
 	             {"front_max", frontMax(log)},
 	             {"ns_per_cut_cell", ns},
 	             {"cells_per_second", ns > 0.0 ? 1e9 / ns : 0.0},
-	             {"memory_bytes", memoryJson(profile.session)},
+	             {"memory_bytes", memoryJson(profile.session, profile.peak_rss)},
 	             {"stages", stagesJson(log, Timeline::Track::cpu)},
 	             {"gpu_stages", stagesJson(log, Timeline::Track::gpu)},
 	             {"generations", generationsJson(log)}});
+	if (profile.work)
+	{
+		json["not_counted"] = nlohmann::json::object();
+		profile.work->put(json, *profile.floor);
+	}
+	if (profile.device_work)
+		profile.device_work->put(json, *profile.session.device());
 	return json;
 }
 

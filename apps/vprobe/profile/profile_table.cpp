@@ -1,3 +1,5 @@
+#include "profile/device_work.h"
+#include "profile/floor.h"
 #include "profile/profile_report.h"
 #include "report/duration.h"
 
@@ -43,13 +45,27 @@ std::string subject(const json& p)
 
 std::string row(const std::string& name, const json& spread)
 {
-	return fmt::format("{:<22} {:>10.3f} {:>10.3f}\n", name, spread["median"].get<double>(),
-	                   spread["p95"].get<double>());
+	std::string text =
+	    fmt::format("{:<22} {:>10.3f} {:>10.3f}", name, spread["median"].get<double>(), spread["p95"].get<double>());
+	if (spread.contains("cores"))
+		text += fmt::format(
+		    " {:>8.2f} {:>10} {:>8.0f}", spread["cores"].get<double>(),
+		    spread["times_floor"].is_null() ? "-" : fmt::format("{:.1f} x", spread["times_floor"].get<double>()),
+		    spread["page_faults"].get<double>() + spread["major_faults"].get<double>());
+	if (spread.contains("instructions") && !spread["instructions"].is_null())
+		text += fmt::format(" {:>12.0f} {:>9.0f}", spread["instructions"].get<double>(),
+		                    spread["cache_misses"].get<double>());
+	return text + "\n";
 }
 
 std::string stages(const json& p)
 {
-	std::string text = fmt::format("{:<22} {:>10} {:>10}\n", "ms a plane", "median", "p95");
+	std::string text = fmt::format("{:<22} {:>10} {:>10}", "ms a plane", "median", "p95");
+	if (p.contains("floor"))
+		text += fmt::format(" {:>8} {:>10} {:>8}", "cores", "floor", "faults");
+	if (p.contains("not_counted") && !p["not_counted"].contains("instructions"))
+		text += fmt::format(" {:>12} {:>9}", "instructions", "misses");
+	text += "\n";
 	for (const json& stage : p["stages"])
 		text += row(std::string(2 * stage["depth"].get<std::size_t>(), ' ') + stage["stage"].get<std::string>(), stage);
 	if (p["gpu_stages"].empty())
@@ -116,11 +132,21 @@ std::string memory(const json& p)
 	return text + (parts.empty() ? "" : parts + ")\n");
 }
 
+std::string notCounted(const json& p)
+{
+	std::string text;
+	if (p.contains("not_counted"))
+		for (const auto& [what, why] : p["not_counted"].items())
+			text += fmt::format("{} are not told: {}\n", what, why.get<std::string>());
+	return text;
+}
+
 } // namespace
 
 std::string profileTable(const json& document)
 {
-	return subject(document) + stages(document) + work(document) + generations(document) + memory(document);
+	return subject(document) + stages(document) + deviceWorkText(document) + work(document) + generations(document) +
+	       memory(document) + floorText(document) + notCounted(document);
 }
 
 } // namespace vp::app

@@ -1,5 +1,7 @@
 #include "report/console.h"
 
+#include "base/control_letters.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
@@ -86,7 +88,7 @@ void setProgramName(std::string name)
 
 void printLine(std::string_view line)
 {
-	printError(fmt::format("{}: {}\n", program_name, withOptionNames(line)));
+	printError(fmt::format("{}: {}\n", program_name, withEscapes(withOptionNames(line))));
 }
 
 void printError(std::string_view text)

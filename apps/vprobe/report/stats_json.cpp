@@ -1,11 +1,14 @@
 #include "report/stats_json.h"
 
+#include "gpu/driver_name.h"
 #include "ranks/data/share.h"
 #include "ranks/write/joined_stats.h"
 #include "read/sandbox.h"
 #include "report/duration.h"
 #include "report/explain.h"
+#include "session/categories.h"
 #include "vectors/traces.h"
+#include "version.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -144,6 +147,18 @@ nlohmann::json tracesJson(const session::Session& session, const vectors::Traces
 	        {"ends", ends}};
 }
 
+// Adds the area of each value, and the names of those values that the file has names for.
+void addLabels(const session::Session& session, const grid::FieldChoice& field, const measure::ValueAreas& areas,
+               nlohmann::json& json)
+{
+	nlohmann::json& labels = json["labels"] = nlohmann::json::object();
+	for (const auto& [value, area] : areas)
+		labels[fmt::format("{}", value)] = area.value();
+	for (const auto& [value, name] : session::labelNames(session.blocks(), field))
+		if (areas.contains(value))
+			json["label_names"][fmt::format("{}", value)] = name;
+}
+
 nlohmann::json sheetJson(const session::Session& session, const cut::Cut& slice, std::size_t number,
                          const session::SheetStats& stats)
 {
@@ -178,6 +193,10 @@ nlohmann::json sheetJson(const session::Session& session, const cut::Cut& slice,
 	             {"nan_area", stats.measure.nan_area},
 	             {"flux", stats.flux ? nlohmann::json(stats.flux->through) : nlohmann::json()},
 	             {"crinkle", crinkleJson(stats)}});
+	if (stats.overlap && session::isMuch(*stats.overlap))
+		json["overlap_area"] = stats.overlap->area;
+	if (stats.value_areas)
+		addLabels(session, *sheet.field, *stats.value_areas, json);
 	if (stats.traces)
 		json["vectors"] = tracesJson(session, *stats.traces);
 	return json;
@@ -224,6 +243,20 @@ nlohmann::json breakEvenJson(const session::Session& session)
 	                                                         : nlohmann::json();
 }
 
+nlohmann::json partsJson(const session::Session& session)
+{
+	const std::optional<parts::PartUse> use = grid::partUse(session.blocks());
+	if (!use)
+		return {};
+	return {{"all", use->all},
+	        {"met", use->met},
+	        {"read", use->read},
+	        {"kept", use->kept},
+	        {"bytes_read", use->bytes_read},
+	        {"bytes_met", use->bytes_met},
+	        {"level", 0}};
+}
+
 nlohmann::json inputJson(const session::Session& session)
 {
 	const ranks::Share::Counts counts = ranks::countsOf(session.ranks(), session.blocks());
@@ -239,7 +272,9 @@ nlohmann::json inputJson(const session::Session& session)
 	        {"array",
 	         session.view().field ? nlohmann::json(session.view().field->title(session.blocks())) : nlohmann::json()},
 	        {"sandbox", read::sandboxText()},
+	        {"version", kVersion},
 	        {"device", session.device() ? session.device()->name() : "none"},
+	        {"driver", session.device() ? nlohmann::json(gpu::driverName(*session.device())) : nlohmann::json()},
 	        {"classifier", classifierName(session)},
 	        {"break_even_cells", breakEvenJson(session)},
 	        {"plan", planJson(session)}};
@@ -274,7 +309,9 @@ nlohmann::json refinedJson(const cut::Cut& slice)
 
 std::string statsJson(const session::Session& session, const session::Frame& frame)
 {
-	return statsDocument(session, {{"contours", contoursJson(session, frame.contours)},
+	return statsDocument(session, {{"time", orNull(session.time())},
+	                               {"parts", partsJson(session)},
+	                               {"contours", contoursJson(session, frame.contours)},
 	                               {"refined", refinedJson(frame.slice)},
 	                               {"sheets", sheetsJson(session, frame.slice, frame.sheets)}});
 }

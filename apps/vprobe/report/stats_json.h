@@ -15,6 +15,9 @@ namespace vp::app
 nlohmann::json sheetsJson(const session::Session& session, const cut::Cut& slice,
                           const std::vector<session::SheetStats>& sheets);
 
+// Returns what the last frame read of arrays that stay in their files; null if there are none.
+nlohmann::json partsJson(const session::Session& session);
+
 // Returns the first part of a document: input, grid, array, device and classifier.
 nlohmann::json inputJson(const session::Session& session);
 

@@ -2,6 +2,7 @@
 
 #include "base/messages.h"
 #include "base/progress.h"
+#include "options/trace_option.h"
 #include "report/remaining_time.h"
 #include "report/stats_json.h"
 #include "session/time_steps.h"
@@ -20,7 +21,8 @@ namespace
 struct SweptFrame
 {
 	std::shared_ptr<const session::Frame> cut;
-	nlohmann::json figures; // of --stats, where they are wanted
+	std::optional<double> time; // the input's, if the frames are its times
+	nlohmann::json figures;     // of --stats, where they are wanted
 };
 
 // Cuts one frame after the other, where it is asked for or on a thread of its own.
@@ -62,6 +64,7 @@ private:
 
 	Result<SweptFrame> cut(int frame)
 	{
+		const FrameScope scope(frame, plan_.last_stop);
 		if (plan_.times)
 			if (Status moved = session_.goTo(session::choiceOfStep(*plan_.times, static_cast<std::size_t>(frame)));
 			    !moved)
@@ -75,10 +78,11 @@ private:
 		if (!made)
 			return made.error();
 		last_ = *made;
-		SweptFrame swept{std::move(*made), {}};
+		SweptFrame swept{std::move(*made), plan_.times ? session_.time() : std::nullopt, {}};
 		if (plan_.wants_figures)
 			swept.figures = {{"sheets", sheetsJson(session_, swept.cut->slice, swept.cut->sheets)},
-			                 {"contours", contoursJson(session_, swept.cut->contours)}};
+			                 {"contours", contoursJson(session_, swept.cut->contours)},
+			                 {"parts", partsJson(session_)}};
 		return swept;
 	}
 
@@ -147,6 +151,7 @@ Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const AskFrame& ask, 
 	while (next < plan.frames)
 	{
 		const int frame = next;
+		const FrameScope scope(frame, plan.last_stop);
 		progress.say(remaining.line());
 		const Result<SweptFrame> cut = cutter.take();
 		if (!cut)
@@ -155,7 +160,7 @@ Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const AskFrame& ask, 
 		const bool waits = next < plan.frames && cutter.changesBlocks(next); // until this frame is done with
 		if (next < plan.frames && !waits)
 			cutter.start(next);
-		if (Status added = products.add(frame, *cut->cut); !added)
+		if (Status added = products.add(frame, cut->time, *cut->cut); !added)
 			return firstError(products, added.error());
 		if (waits)
 		{
@@ -170,14 +175,16 @@ Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const AskFrame& ask, 
 			in_boundary += hasBoundarySheet(*cut->cut);
 			figures.push_back(cut->figures);
 			figures.back()["frame"] = frame;
+			if (cut->time)
+				figures.back()["time"] = *cut->time;
 		}
 		if (plan.trace)
-			plan.trace->add(session.timeline()->takeSections());
+			addToTrace(session, *plan.trace);
 	}
 	if (Status written = products.commit(); !written)
 		return written.error();
 	if (plan.trace)
-		plan.trace->add(session.timeline()->takeSections());
+		addToTrace(session, *plan.trace);
 	if (empty > 0)
 		warn("{} of {} frames are empty: the probe misses the grid there", empty, plan.frames);
 	if (in_boundary > 0)

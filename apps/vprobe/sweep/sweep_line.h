@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/frame_scope.h"
 #include "sweep/sweep_products.h"
 #include "write/trace_file.h"
 
@@ -21,6 +22,7 @@ struct SweepPlan
 	bool writes_beside;                         // write on a thread of its own, see SweepProducts
 	bool wants_figures;                         // measure every frame
 	write::TraceFile* trace;                    // or null
+	FrameScope::Stop last_stop;                 // where a frame ends
 	const std::vector<double>* times = nullptr; // of a sweep over the times of the inputs: one for each frame
 };
 

@@ -1,5 +1,6 @@
 #include "sweep/sweep_products.h"
 
+#include "base/frame_scope.h"
 #include "ranks/write/joined_tables.h"
 #include "team.h"
 
@@ -26,17 +27,18 @@ Result<std::unique_ptr<SweepProducts>> SweepProducts::create(session::Session& s
 	return products;
 }
 
-Status SweepProducts::add(int frame, const session::Frame& cut)
+Status SweepProducts::add(int frame, std::optional<double> time, const session::Frame& cut)
 {
 	if (interrupt_ && interrupt_->came())
 		return Error{ErrorKind::cancelled, "interrupted; nothing is written"};
 	if (interrupt_)
 	{
 		const TimedSection section(session_.timeline(), "write");
+		FrameScope::comesTo(FrameScope::Stop::file, session_.timeline());
 		const write::SliceTable table =
 		    ranks::tabulate(session_.ranks(), cut.slice.blocksOf(session_.blocks()),
 		                    session::exportedMeshes(cut.sheets), session::contourPieces(cut.contours));
-		if (Status written = series_ ? series_->add(frame, table) : Nothing{}; !written)
+		if (Status written = series_ ? series_->add(frame, time, table) : Nothing{}; !written)
 			return written;
 	}
 	return painter_ ? draw(frame, cut) : Nothing{};
@@ -68,7 +70,9 @@ void SweepProducts::write(int frame, const render::Picture& picture)
 {
 	if (write_failed_)
 		return;
+	const FrameScope scope(frame, FrameScope::Stop::file);
 	const TimedSection section(session_.timeline(), "write");
+	FrameScope::comesTo(FrameScope::Stop::file, session_.timeline());
 	written_ = frames_.add(frame, picture);
 	write_failed_ = !written_;
 }

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,12 +27,18 @@ public:
 	                                                     std::optional<picture::Painter> painter, Frames frames,
 	                                                     const std::string& series);
 
+	// True if frames become files: pictures or polygons, not only figures.
+	bool makesFiles() const { return painter_ || interrupt_; }
 	bool has(int frame) const { return frames_.has(frame); }
 
 	// From now on a thread of its own writes the pictures.
 	void writeBeside() { writer_.emplace("writer"); }
 
-	Status add(int frame, const session::Frame& cut);
+	// Fits camera and colors to these times (picture::Painter::fitTimes).
+	Status fitTimes(std::span<const std::size_t> steps) { return painter_ ? painter_->fitTimes(steps) : Nothing{}; }
+
+	// time: of the input, if the frames are its times.
+	Status add(int frame, std::optional<double> time, const session::Frame& cut);
 	Status finish(); // waits until everything that was added is written
 	Status commit(); // puts the film, the exposure or the series in its place; call finish() first
 

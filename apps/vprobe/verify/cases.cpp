@@ -1,6 +1,7 @@
 #include "verify/cases.h"
 
 #include "probe/json_reader.h"
+#include "verify/sweep_frames.h"
 #include "view/state_file.h"
 #include "view/validate.h"
 
@@ -56,6 +57,8 @@ VerifyCase caseOf(const std::string& state, const view::MachineSpec& machine, bo
 	one.has_flat =
 	    std::filesystem::exists(one.flat(), unknown) || std::filesystem::exists(one.beside(".flat.0.png"), unknown);
 	one.has_figures = std::filesystem::exists(one.figures(), unknown);
+	one.has_frames = std::ranges::any_of(SweepFrames::kEndings, [&](const char* ending)
+	                                     { return std::filesystem::exists(one.beside(ending), unknown); });
 	Status ready = view::loadState(one.spec, state);
 	one.spec.machine = machine;
 	if (ready && one.spec.input.files.empty())

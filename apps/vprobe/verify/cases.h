@@ -19,13 +19,14 @@ struct VerifyCase
 	bool has_picture = false;     // NAME.png
 	bool has_flat = false;        // NAME.flat.png, or NAME.flat.0.png and so on
 	bool has_figures = false;     // NAME.figures.json
+	bool has_frames = false;      // NAME.first.png, NAME.middle.png or NAME.last.png
 
 	// Returns the name of a file beside the state, as stem("a/shell.json") + ending.
 	std::string beside(const std::string& ending) const;
 	std::string picture() const { return beside(".png"); }
 	std::string flat() const { return beside(".flat.png"); }
 	std::string figures() const { return beside(".figures.json"); }
-	bool hasAny() const { return has_picture || has_flat || has_figures; }
+	bool hasAny() const { return has_picture || has_flat || has_figures || has_frames; }
 };
 
 // Finds the cases of the command line: states, and folders of them. `machine` replaces the settings of the machine. A

@@ -5,7 +5,9 @@
 #include "picture/plane_pictures.h"
 #include "picture/read_png.h"
 #include "report/stats_json.h"
+#include "session/times_seen.h"
 #include "verify/flat_pictures.h"
+#include "verify/sweep_frames.h"
 #include "view/validate.h"
 #include "write/atomic_file.h"
 #include "write/png.h"
@@ -37,6 +39,12 @@ bool isThere(const std::string& file)
 bool wantsPicture(const VerifyCase& one)
 {
 	return one.has_picture || !one.hasAny(); // a state alone gets one
+}
+
+bool wantsFrames(const VerifyCase& one, bool updates)
+{
+	const view::SweepSpec& sweep = one.spec.sweep;
+	return one.has_frames || (updates && (sweep.frames || sweep.own || sweep.over_times));
 }
 
 // Figures find what pictures do not show, so an update writes them beside each state.
@@ -138,9 +146,10 @@ Status Verifier::prepare(const VerifyCase& one, bool draws, bool reads_all_array
 void Verifier::judgeCase(const VerifyCase& one, bool reads_all_arrays)
 {
 	const bool draws = wantsPicture(one);
-	if (Status ready = prepare(one, draws, reads_all_arrays); !ready)
+	const bool sweeps = wantsFrames(one, options_.updates);
+	if (Status ready = prepare(one, draws || sweeps, reads_all_arrays); !ready)
 		return fail(about(one.state, false), ready.error());
-	const Status device = draws ? needDevice() : Nothing{};
+	const Status device = draws || sweeps ? needDevice() : Nothing{};
 	const Result<std::shared_ptr<const session::Frame>> made = session_->frame({});
 	if (!made)
 	{
@@ -167,19 +176,23 @@ void Verifier::judgeCase(const VerifyCase& one, bool reads_all_arrays)
 		judgeFlat(one, frame, flat);
 	if (wantsFigures(one, options_.updates))
 		judgeFigures(one, frame, tolerances);
+	if (sweeps && !device)
+		fail(about(one.beside(SweepFrames::kEndings[0]), false), device.error());
+	else if (sweeps)
+		judgeSweep(one, in_space);
 }
 
-Result<render::Picture> Verifier::draw(const VerifyCase& one, const session::Frame& frame)
+Status Verifier::preparePainter(const VerifyCase& one)
 {
 	if (Status known = view::refuseGenerations(one.spec.probe, one.spec.look.color_by); !known)
-		return known.error();
+		return known;
 	Result<view::ResolvedLook> look = view::resolveLook(one.spec);
 	if (!look)
 		return look.error();
 	if (painter_)
 	{
 		if (Status taken = painter_->setLook(std::move(*look)); !taken)
-			return taken.error();
+			return taken;
 	}
 	else
 	{
@@ -191,7 +204,41 @@ Result<render::Picture> Verifier::draw(const VerifyCase& one, const session::Fra
 			return painter.error();
 		painter_.emplace(std::move(*painter));
 	}
+	return Nothing{};
+}
+
+Result<render::Picture> Verifier::draw(const VerifyCase& one, const session::Frame& frame)
+{
+	if (Status ready = preparePainter(one); !ready)
+		return ready.error();
 	return painter_->draw(frame.slice, frame.sheets, frame.contours);
+}
+
+// All three frames are drawn: the camera is that of the first one. Over times, the session ends with this case.
+void Verifier::judgeSweep(const VerifyCase& one, const picture::PictureTolerance& tolerance)
+{
+	const Result<SweepFrames> frames = SweepFrames::of(*session_);
+	Status ready = frames ? preparePainter(one) : frames.error();
+	if (ready && frames->isOverTimes())
+		ready = painter_->fitTimes(session::firstMiddleAndLast(session_->blocks().times.size()));
+	const bool is_over_times = frames && frames->isOverTimes();
+	for (std::size_t which = 0; ready && which < SweepFrames::kEndings.size(); ++which)
+	{
+		ready = frames->goTo(*session_, which);
+		if (!ready)
+			break;
+		const Result<std::shared_ptr<const session::Frame>> made = session_->frame(frames->request(which));
+		Result<render::Picture> drawn =
+		    made ? painter_->draw((*made)->slice, (*made)->sheets, (*made)->contours) : made.error();
+		if (!drawn)
+			ready = drawn.error();
+		else if (isThere(one.beside(SweepFrames::kEndings[which])) || options_.updates)
+			compare(about(one.beside(SweepFrames::kEndings[which]), true), *drawn, tolerance);
+	}
+	if (!ready)
+		fail(about(one.beside(SweepFrames::kEndings[0]), true), ready.error());
+	if (!ready || is_over_times)
+		forget();
 }
 
 void Verifier::judgePicture(const VerifyCase& one, const session::Frame& frame,

@@ -38,8 +38,10 @@ private:
 	Status needDevice();
 	void judgeCase(const VerifyCase& one, bool reads_all_arrays);
 	void judgePicture(const VerifyCase& one, const session::Frame& frame, const picture::PictureTolerance& tolerance);
+	void judgeSweep(const VerifyCase& one, const picture::PictureTolerance& tolerance);
 	void judgeFlat(const VerifyCase& one, const session::Frame& frame, const picture::PictureTolerance& tolerance);
 	void judgeFigures(const VerifyCase& one, const session::Frame& frame, const Result<Tolerances>& tolerances);
+	Status preparePainter(const VerifyCase& one);
 	Result<render::Picture> draw(const VerifyCase& one, const session::Frame& frame);
 	void compare(Judgment found, const render::Picture& drawn, const picture::PictureTolerance& tolerance);
 	Judgment about(const std::string& file, bool on_device);

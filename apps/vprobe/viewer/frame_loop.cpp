@@ -67,6 +67,8 @@ void FrameLoop::listen()
 	{
 		heard();
 		const std::optional<Button> known = buttonOf(button);
+		if (down && !ImGui::GetIO().WantCaptureMouse)
+			document_.parts.panel_keys = false;
 		if (known && down)
 			hand_.press(*known, !ImGui::GetIO().WantCaptureMouse);
 		else if (known)
@@ -143,13 +145,33 @@ Status FrameLoop::followScale()
 	return Nothing{};
 }
 
-// The arrow keys move through menus and questions. Otherwise they turn the probe.
+// The arrow keys move through menus, questions, the start page, and after F6 through the panel. Enter or Space chooses.
+// On a slider Enter lets a number be typed, and after Space the arrow keys move it. Otherwise they turn the probe.
 void FrameLoop::followKeyboard()
 {
 	ImGuiIO& io = ImGui::GetIO();
-	const bool asks = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
-	io.ConfigFlags = asks ? io.ConfigFlags | ImGuiConfigFlags_NavEnableKeyboard
-	                      : io.ConfigFlags & ~ImGuiConfigFlags_NavEnableKeyboard;
+	const std::vector<interact::Key> pressed = keyboard_.takePressed();
+	const bool at_start = !document_.facts() && !document_.loader().isBusy();
+	using interact::Key;
+	// ImGui would close a menu where the arrow keys ask for the one beside it.
+	OpenParts& parts = document_.parts;
+	const auto steps = std::ranges::count(pressed, Key::right) - std::ranges::count(pressed, Key::left);
+	if (parts.open_menu && steps != 0)
+		parts.opens_menu = *parts.open_menu + static_cast<int>(steps);
+	const bool goes_sideways = parts.open_menu && (steps != 0 || keyboard_.holdsSideways());
+	const bool moves = !goes_sideways && (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup) ||
+	                                      document_.parts.panel_keys || at_start);
+	io.ConfigFlags = moves ? io.ConfigFlags | ImGuiConfigFlags_NavEnableKeyboard
+	                       : io.ConfigFlags & ~ImGuiConfigFlags_NavEnableKeyboard;
+#if IMGUI_VERSION_NUM < 18700 // a newer version takes Enter for a choice by itself, and quick keys
+	for (const auto& [key, input] :
+	     {std::pair{Key::enter, ImGuiNavInput_Activate}, std::pair{Key::enter, ImGuiNavInput_Input},
+	      std::pair{Key::space, ImGuiNavInput_Activate}, std::pair{Key::left, ImGuiNavInput_KeyLeft_},
+	      std::pair{Key::right, ImGuiNavInput_KeyRight_}, std::pair{Key::up, ImGuiNavInput_KeyUp_},
+	      std::pair{Key::down, ImGuiNavInput_KeyDown_}, std::pair{Key::escape, ImGuiNavInput_Cancel}})
+		if (moves && !io.WantTextInput && std::ranges::find(pressed, key) != pressed.end())
+			io.NavInputs[input] = 1.0f;
+#endif
 }
 
 Status FrameLoop::showFrame()
@@ -173,12 +195,13 @@ Status FrameLoop::showFrame()
 	    film ? film_screen_.image(film) : Result<std::shared_ptr<const gpu::Image>>(shown ? shown->image : nullptr);
 	if (!frame)
 		return frame.error();
-	if (*frame)
+	if (*frame && scene_.size.x >= 1.0 && scene_.size.y >= 1.0)
 		pictures.push_back({*frame, glm::ivec2(scene_.lo), glm::ivec2(scene_.size)});
 	if (document_.parts.plane_pane && shown && shown->pane && !film)
 	{
 		const ScenePart pane = paneOf(scene_, scale_);
-		pictures.push_back({shown->pane->image, glm::ivec2(pane.lo), glm::ivec2(pane.size)});
+		if (pixelsOf(pane).width > 0 && pixelsOf(pane).height > 0)
+			pictures.push_back({shown->pane->image, glm::ivec2(pane.lo), glm::ivec2(pane.size)});
 	}
 	Result<bool> presented = screen_.show(pictures, *ImGui::GetDrawData(), window_.pixels());
 	if (!presented)
@@ -203,10 +226,7 @@ bool FrameLoop::goesOn()
 		document_.quit();
 	}
 	if (lasting_.interrupt.came() && !wished)
-	{
-		document_.keepState(); // the user did not choose to end
-		document_.quit();
-	}
+		document_.quit(); // SIGINT and SIGTERM are no faults: nothing is kept for recovery
 	if (!document_.wantsToQuit())
 		return true;
 	const std::vector<std::string> files = document_.filesUnderWay();
@@ -240,7 +260,7 @@ Status FrameLoop::run()
 		if (lasting_.commands && document_.wantsToQuit())
 			lasting_.commands->tellErrors(document_);
 		// Input goes to the render thread at once, without waiting for the window's next frame.
-		document_.update({static_cast<std::uint32_t>(scene_.size.x), static_cast<std::uint32_t>(scene_.size.y)});
+		document_.update(pixelsOf(scene_));
 		noteWaking();
 		if (window_.minimized() || window_.pixels().width == 0)
 		{

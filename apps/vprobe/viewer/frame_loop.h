@@ -52,7 +52,7 @@ private:
 	void tellUnsaved(const char* why);
 	Status showFrame();
 	Status followScale();
-	static void followKeyboard();
+	void followKeyboard();
 	double secondsToNextFrame() const;
 	bool isAwake() const;
 	double frameSeconds() const;

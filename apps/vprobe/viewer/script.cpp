@@ -193,6 +193,8 @@ Status Script::act(const Words& words, const Stage& stage)
 			return Error{ErrorKind::usage, "no such action; vprobe view --list-bindings names them"};
 		return stage.document.perform(*action), Nothing{};
 	}
+	if (has("set", 2))
+		return stage.document.set(rest[0], rest[1]);
 	if (has("save-state", 1))
 		return saveState(rest[0], stage);
 	if (has("save-picture", 3))
@@ -201,6 +203,8 @@ Status Script::act(const Words& words, const Stage& stage)
 		return stage.document.playback().saveFilm(rest[0]), Nothing{};
 	if (has("save-slice", 1))
 		return stage.document.saveSlice(rest[0]), Nothing{};
+	if (has("save-color-map", 1))
+		return stage.document.saveColorMap(rest[0]), Nothing{};
 	if (has("save-trace", 1))
 		return stage.document.saveTrace(rest[0]), Nothing{};
 	if (has("screenshot", 1))

@@ -75,6 +75,17 @@ struct Traces
 	std::vector<double> times;         // per point, from the launch; negative before it
 };
 
+/// Polygons of a caller's with arrays over their points and over the polygons (Association::cell).
+struct OwnPolygons
+{
+	Numbers points;       // float64, x y z of the first point first
+	Numbers offsets;      // int64, polygons + 1 into the connectivity
+	Numbers connectivity; // int64 ids of points
+	Numbers cells;        // int64, per polygon: the cell of the input that it was cut from
+	Numbers blocks;       // int32, per polygon: the block of that cell
+	std::vector<Field> fields{};
+};
+
 /// The cut of a probe through a data set. Copies share it. It stays valid even after its Dataset is gone. It is thread
 /// safe.
 class VPROBE_API Cut
@@ -98,6 +109,10 @@ public:
 	double contourValue(std::size_t contour) const;
 	Mesh contour(std::size_t contour) const;
 
+	/// Returns one sheet of this cut with polygons and arrays of the caller's, which are copied. save() writes them,
+	/// and Dataset::render() draws them. view: of the sheet alone. An input error says what does not fit.
+	Result<Cut> withOwn(std::size_t sheet, const View& view, const OwnPolygons& own) const;
+
 	/// Writes the cut with every array as .vtp, .vtm, .pvtp, .ply or .csv, by the name's ending. If it fails, no file
 	/// is left.
 	Status save(const std::string& file) const;
@@ -106,6 +121,7 @@ public:
 
 private:
 	friend struct DatasetState;
+	friend class Dataset;
 	explicit Cut(std::shared_ptr<const State> state) : state_(std::move(state)) {}
 
 	std::shared_ptr<const State> state_;

@@ -80,6 +80,8 @@ struct HeldBlock
 	std::vector<Numbers> coordinates; // points; the axes x, y and z of a rectilinear grid; empty for an image
 	Numbers connectivity;             // only for an unstructured grid that has no neighbors yet
 	std::vector<Field> fields;
+	std::size_t points = 0; // that a point array has values for, and a cell array
+	std::size_t cells = 0;
 };
 
 /// Bytes that a data set holds.
@@ -109,14 +111,20 @@ struct OpenOptions
 	// Curved cells: how often their linear parts are halved, 0 to 6; or, between 0 and 1, a tolerance to which cuts
 	// refine the cells that they meet (docs/FORMATS.md)
 	double refine = 0.0;
-	double displace = 0.0; // points of Exodus files move by their displacements, times this
-	std::string format{};  // a name that vprobe info --formats lists; empty: the file tells
+	std::optional<double> displace{}; // points move by their displacements, times this; empty: 0, or 1 with an array
+	std::string displace_by{};        // the point array of displacements; empty: the one whose name says so
+	std::string format{};             // a name that vprobe info --formats lists; empty: the file tells
 	Classify classify = Classify::automatic;
 	std::string device{};   // for classifying and drawing: a part of its name, or its number; empty: the best one
 	std::stop_token stop{}; // on a stop request, reading ends with ErrorKind::cancelled
 	// Several files: "blocks" (together one data set), "times" (each is a time of a series), or "auto" (times if their
 	// names differ by a number alone and their grids are the same)
 	std::string inputs = "auto";
+	// Arrays of cells become arrays of points: each point has the mean of its cells, without NaN and hidden cells
+	bool cell_to_point = false;
+	// Files may name others in their own folder. These are further folders for that, or "anywhere"; give them for data
+	// that you trust
+	std::vector<std::string> follow{};
 };
 
 /// Values of arrays at points.
@@ -185,6 +193,9 @@ public:
 	/// Replaces the arrays of a wrapped data set, with a list for each block. The grid stays, and so do the structures
 	/// that find its cells. Earlier cuts keep their arrays.
 	Status setFields(std::vector<std::vector<Field>> fields);
+	/// Adds an array, or replaces the one of its name: a field for each block, all with one name and association. It
+	/// stays the same at all times of the input. Earlier cuts keep their arrays.
+	Status setArray(std::vector<Field> of_each_block);
 
 	/// For all calls below: on a stop request a call ends soon with ErrorKind::cancelled. The data set stays usable.
 	Result<Cut> cut(const View& view, std::stop_token stop = {}) const;

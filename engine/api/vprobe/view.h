@@ -77,6 +77,7 @@ public:
 
 private:
 	friend struct DatasetState;
+	friend class Cut;
 
 	std::unique_ptr<State> state_;
 };

@@ -52,7 +52,7 @@ void add(const Block& block, Memory& memory)
 	if (block.curved) // the grid has the points
 		memory.geometry += block.curved->cells.bytes();
 	for (const Field& field : block.fields)
-		memory.arrays += field.bytes.size();
+		memory.arrays += field.bytes.size(); // parts of stored arrays are counted by parts::KeptParts
 	memory.boundary += bytesOf(block.boundary.faces) + bytesOf(block.boundary.corners) +
 	                   bytesOf(block.boundary.patches) + bytesOf(block.boundary.groups) + bytesOf(block.vantage);
 	memory.folds += bytesOf(block.inverted) + block.inverted_tree.bytes();

@@ -97,8 +97,9 @@ void checkSources(std::size_t count, std::size_t distinct, Source&& source, cons
 	for (const Field& field : block.fields)
 	{
 		require(field.components > 0, "array {}: no components", field.name);
-		require(field.bytes.size() == field.tuples() * field.components * byteSize(field.type),
-		        "array {}: part of a tuple", field.name);
+		const std::size_t bytes = field.stored ? field.stored->layout().byteCount() : field.bytes.size();
+		require(bytes == field.tuples() * field.components * byteSize(field.type), "array {}: part of a tuple",
+		        field.name);
 		if (field.association == association)
 			require(numbers.empty() || numbers.back() < field.tuples(), "array {}: {} tuples are too few", field.name,
 			        field.tuples());

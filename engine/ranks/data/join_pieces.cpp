@@ -174,10 +174,11 @@ grid::CellList cellsOf(Pieces pieces)
 grid::Field fieldOf(Pieces pieces, std::size_t number)
 {
 	grid::Field joined = pieces[0].fields[number];
+	joined.stored.reset();
 	std::vector<std::byte> bytes;
 	for (const grid::Block& piece : pieces)
 	{
-		const Array<std::byte>& some = piece.fields[number].bytes;
+		const Array<std::byte> some = grid::inMemory(piece.fields[number]).bytes;
 		bytes.insert(bytes.end(), some.data(), some.data() + some.size());
 	}
 	joined.bytes = std::move(bytes);

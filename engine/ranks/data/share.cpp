@@ -1,6 +1,7 @@
 #include "ranks/data/share.h"
 
 #include "grid/cell_places.h"
+#include "ranks/data/imaging_message.h"
 #include "ranks/data/join_pieces.h"
 
 #include <fmt/format.h>
@@ -51,12 +52,7 @@ void put(MessageWriter& to, const grid::Block& block, std::size_t whole)
 		to.put(count);
 	to.put(block.name);
 	to.put(block.length_units);
-	to.put(block.imaging.orientation);
-	to.put(block.imaging.gray);
-	to.put(block.imaging.window.has_value());
-	const auto [lo, hi] = block.imaging.window.value_or(std::pair{0.0, 0.0});
-	to.put(lo);
-	to.put(hi);
+	putImaging(to, block.imaging);
 	to.put(block.arrays_left_out.size());
 	for (const std::string& name : block.arrays_left_out)
 		to.put(name);
@@ -82,12 +78,7 @@ Described described(MessageReader& from)
 		*count = from.get<std::size_t>();
 	block.block.name = from.getText();
 	block.block.length_units = from.getText();
-	block.block.imaging.orientation = from.getText();
-	block.block.imaging.gray = from.get<bool>();
-	const bool has_window = from.get<bool>();
-	const auto lo = from.get<double>(), hi = from.get<double>();
-	if (has_window)
-		block.block.imaging.window = {lo, hi};
+	block.block.imaging = getImaging(from);
 	for (auto left = from.get<std::size_t>(); left > 0; --left)
 		block.block.arrays_left_out.push_back(from.getText());
 	for (auto left = from.get<std::size_t>(); left > 0; --left)
@@ -297,6 +288,8 @@ Status canCarryOut(const Ranks& ranks, const view::ViewSpec& spec)
 	    {spec.machine.strategy == find::Strategy::generations, "strategy",
 	     "generations depend on how the parts were dealt out"},
 	    {spec.machine.classify == view::Classify::gpu, "classify", "each of several processes cuts on its processor"},
+	    {spec.input.cell_to_point, "cell_to_point",
+	     "points between the parts of several processes have cells in each of them"},
 	    {read::isTolerance(spec.input.refine), "refine",
 	     "cells that a tolerance refines are not joined between processes"}};
 	if (has_labels)

@@ -3,6 +3,7 @@
 #include "base/place_key.h"
 #include "measure/components.h"
 #include "mesh/union_find.h"
+#include "ranks/data/share.h"
 #include "ranks/join/border_faces.h"
 #include "ranks/join/hanging_borders.h"
 #include "ranks/join/rim_vertices.h"
@@ -56,17 +57,22 @@ void joinAmong(std::span<const RimVertex> vertices, const IsPlace& isPlace, cons
 			const bool is_one = (is_seam || (a.whole != b.whole && isFirst(i) && isFirst(j))) && a.isOneWith(b);
 			if (is_one)
 				joined.join(j, i);
-			if (!is_one && !is_seam)
-				continue;
-			touching.join(j, i);
-			found.links.push_back({a.rank, a.component, b.rank, b.component});
+			if (is_one || is_seam)
+				touching.join(j, i);
 		}
 	std::map<std::uint32_t, std::vector<const RimVertex*>> groups;
+	std::set<std::uint32_t> seen; // vertices of the meshes that are one count once
 	for (std::uint32_t i = 0; i < vertices.size(); ++i)
 	{
-		groups[touching.root(i)].push_back(&vertices[i]);
-		if (joined.root(i) != i)
-			found.counted[static_cast<std::size_t>(vertices[i].rank)].push_back(vertices[i].vertex);
+		const RimVertex& vertex = vertices[i];
+		if (!vertex.isInMesh())
+			continue;
+		std::vector<const RimVertex*>& group = groups[touching.root(i)];
+		if (!group.empty())
+			found.links.push_back({group[0]->rank, group[0]->component, vertex.rank, vertex.component});
+		group.push_back(&vertex);
+		if (!seen.insert(joined.root(i)).second)
+			found.counted[static_cast<std::size_t>(vertex.rank)].push_back(vertex.vertex);
 	}
 	for (auto& [root, group] : groups)
 		if (group.size() > 1)
@@ -240,6 +246,7 @@ Borders join(Team& team, const std::vector<Box>& boxes, const grid::BlockSet& bl
 	joinAtSamePlace(team, boxes, rim, links, borders);
 	joinNear(team, boxes, rim, links, borders);
 	borders.vertices_elsewhere = all - rim.size();
+	std::erase_if(rim, [](const RimVertex& vertex) { return !vertex.isInMesh(); });
 	borders.hangs = hangsBetweenRanks(team, boxes, mesh, rim);
 	JoinedAcross together = joinOverRanks(team, pieces.marks, std::move(links));
 	borders.components = together.count;
@@ -299,6 +306,34 @@ measure::SheetSums sumUp(const Ranks& ranks, const grid::BlockSet& blocks, const
                          const std::optional<grid::FieldChoice>& field)
 {
 	return ranks.sum(measure::sumUp(blocks, mesh, field), [](auto& sum, const auto& other) { sum.add(other); });
+}
+
+measure::ValueAreas sumUp(const Ranks& ranks, measure::ValueAreas own)
+{
+	if (!ranks.team())
+		return own;
+	const auto bytesOf = [](const measure::ValueAreas& areas)
+	{
+		MessageWriter message;
+		for (const auto& [value, area] : areas)
+		{
+			message.put(value);
+			message.put(area);
+		}
+		return message.take();
+	};
+	const auto addFrom = [](const Bytes& bytes, measure::ValueAreas& areas)
+	{
+		for (MessageReader reader(bytes); !reader.atEnd();)
+		{
+			const auto value = reader.get<double>();
+			areas[value] += reader.get<ExactSum>();
+		}
+	};
+	measure::ValueAreas sum;
+	for (const Bytes& of_rank : ranks.team()->gatherAll(bytesOf(own)))
+		addFrom(of_rank, sum);
+	return sum;
 }
 
 } // namespace vp::ranks

@@ -3,6 +3,7 @@
 #include "find/block_cut.h"
 #include "grid/block.h"
 #include "measure/stats.h"
+#include "measure/value_areas.h"
 #include "mesh/sheet_mesh.h"
 #include "ranks/join/rim_vertices.h"
 #include "ranks/ranks.h"
@@ -54,6 +55,9 @@ std::size_t componentsOf(const Ranks& ranks, const Borders& borders, const mesh:
 /// Returns the sums over the polygons of all ranks. They are exact, so they do not depend on how a sheet is parted.
 measure::SheetSums sumUp(const Ranks& ranks, const grid::BlockSet& blocks, const mesh::SheetMesh& mesh,
                          const std::optional<grid::FieldChoice>& field);
+
+/// Returns the areas of all ranks.
+measure::ValueAreas sumUp(const Ranks& ranks, measure::ValueAreas own);
 
 /// Counts vertices at one place once: adds to what is shared, and drops from `own` those that another rank counts.
 void shareVertices(Team& team, const std::vector<Box>& boxes, std::vector<RimVertex>& own, Borders& borders);

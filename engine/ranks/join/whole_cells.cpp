@@ -1,4 +1,5 @@
 #include "ranks/join/whole_cells.h"
+#include "ranks/data/share.h"
 
 #include "ranks/join/border_faces.h"
 #include "ranks/join/rim_vertices.h"

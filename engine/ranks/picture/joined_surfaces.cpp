@@ -101,13 +101,12 @@ Result<std::shared_ptr<const render::SurfacePolygons>> polygonsOfRank(Team& team
 
 } // namespace
 
-Result<std::shared_ptr<const render::SurfacePolygons>> surfacePolygons(const Ranks& ranks, gpu::Device& device,
-                                                                       const mesh::SheetMesh& mesh,
-                                                                       const Borders& borders,
-                                                                       render::SheetValues values)
+Result<std::shared_ptr<const render::SurfacePolygons>>
+surfacePolygons(const Ranks& ranks, gpu::Device& device, const mesh::SheetMesh& mesh, const Borders& borders,
+                render::SheetValues values, const mesh::PartEdges& part_edges)
 {
 	if (!ranks.team())
-		return render::surfacePolygons(device, mesh, {values.of_vertices, values.of_polygons});
+		return render::surfacePolygons(device, mesh, {values.of_vertices, values.of_polygons, &part_edges});
 	Box box;
 	for (const Vec3& place : mesh.positions)
 		box.include(place);
@@ -117,7 +116,8 @@ Result<std::shared_ptr<const render::SurfacePolygons>> surfacePolygons(const Ran
 	elsewhere.polygons = addPolygonsAround(*ranks.team(), borders, around, values.of_polygons);
 	if (!values.of_vertices.empty())
 		values.of_vertices.resize(around.positions.size(), 0.0);
-	return render::surfacePolygons(device, around, {values.of_vertices, values.of_polygons}, &elsewhere);
+	// The other ranks' polygons stand last, so the marks of this one's are at their places.
+	return render::surfacePolygons(device, around, {values.of_vertices, values.of_polygons, &part_edges}, &elsewhere);
 }
 
 Result<std::shared_ptr<const render::SurfacePolygons>> contourPolygons(const Ranks& ranks, gpu::Device& device,

@@ -13,11 +13,10 @@ namespace vp::ranks
 {
 
 /// Returns the polygons of a surface in device memory. Those of other ranks around them have a part in how they look.
-/// borders: joinBorders() or joinWholeCells() of the mesh.
-Result<std::shared_ptr<const render::SurfacePolygons>> surfacePolygons(const Ranks& ranks, gpu::Device& device,
-                                                                       const mesh::SheetMesh& mesh,
-                                                                       const Borders& borders,
-                                                                       render::SheetValues values);
+/// borders: joinBorders() or joinWholeCells() of the mesh. part_edges: edges that lines of the mesh leave out.
+Result<std::shared_ptr<const render::SurfacePolygons>>
+surfacePolygons(const Ranks& ranks, gpu::Device& device, const mesh::SheetMesh& mesh, const Borders& borders,
+                render::SheetValues values, const mesh::PartEdges& part_edges = {});
 
 /// Returns the polygons of the contours of a sheet, where the sheet shows them, or null if there is nothing to draw.
 /// colored: they show their values.

@@ -39,11 +39,15 @@ DrawListCanvas::DrawListCanvas(const FontAtlas& lettering, const Inks& inks, dou
 	list_.PushTextureID(nullptr);
 }
 
+void DrawListCanvas::write(const glm::dvec2& top_left, double size, Color color, const std::string& words)
+{
+	const ImFont* font = lettering().font(size);
+	list_.AddText(font, font->FontSize, at(top_left), packedForImGui(color), words.data(), words.data() + words.size());
+}
+
 void DrawListCanvas::text(const glm::dvec2& top_left, double size, Color color, const std::string& words)
 {
-	const glm::dvec2 pixel = glm::round(top_left);
-	list_.AddText(lettering().font(size), static_cast<float>(size), at(pixel), packedForImGui(color), words.data(),
-	              words.data() + words.size());
+	write(glm::round(top_left), size, color, words);
 }
 
 void DrawListCanvas::turnedText(const glm::dvec2& center, double angle, double size, Color color, Color halo,
@@ -56,11 +60,9 @@ void DrawListCanvas::turnedText(const glm::dvec2& center, double angle, double s
 		{
 			const double turn = 2.0 * std::numbers::pi * i / kHaloSteps;
 			const glm::dvec2 off = kHalo * size * glm::dvec2(std::cos(turn), std::sin(turn));
-			list_.AddText(lettering().font(size), static_cast<float>(size), at(top_left + off), packedForImGui(halo),
-			              words.data(), words.data() + words.size());
+			write(top_left + off, size, halo, words);
 		}
-	list_.AddText(lettering().font(size), static_cast<float>(size), at(top_left), packedForImGui(color), words.data(),
-	              words.data() + words.size());
+	write(top_left, size, color, words);
 	for (int i = first; i < list_.VtxBuffer.Size; ++i)
 	{
 		ImVec2& p = list_.VtxBuffer[i].pos;

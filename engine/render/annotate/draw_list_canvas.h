@@ -25,6 +25,8 @@ public:
 	void colorBar(const Area& bar, const ColorMap& colors) override;
 
 private:
+	void write(const glm::dvec2& top_left, double size, Color color, const std::string& words);
+
 	ImDrawList list_;
 };
 

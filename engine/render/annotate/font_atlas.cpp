@@ -1,10 +1,10 @@
 #include "render/annotate/font_atlas.h"
 
-#include "render/font/font.h"
-
 #include <imgui/imgui_internal.h>
 
-#include <cmath>
+#include <algorithm>
+#include <iterator>
+#include <numeric>
 
 namespace vp::render
 {
@@ -13,7 +13,10 @@ namespace
 {
 
 constexpr const char* kEllipsis = "…";
-constexpr unsigned kLastDefaultLetter = 0xFF; // last letter of GetGlyphRangesDefault()
+constexpr char32_t kEllipsisLetter = 0x2026;
+constexpr char32_t kSoftHyphen = 0xAD; // nobody sees one
+constexpr char32_t kFirstDefaultLetter = 0x20;
+constexpr char32_t kLastDefaultLetter = 0xFF;
 
 bool startsLetter(char c)
 {
@@ -29,6 +32,25 @@ std::size_t before(std::string_view text, std::size_t end)
 	return end;
 }
 
+std::set<char32_t> lettersOf(const std::vector<std::string>& texts)
+{
+	std::set<char32_t> letters;
+	for (const std::string& text : texts)
+		for (const char* at = text.data(); at < text.data() + text.size();)
+		{
+			unsigned letter = 0;
+			at += ImTextCharFromUtf8(&letter, at, text.data() + text.size());
+			letters.insert(letter);
+		}
+	return letters;
+}
+
+std::size_t firstWith(const std::vector<const Typeface*>& typefaces, char32_t letter)
+{
+	const auto found = std::ranges::find_if(typefaces, [&](const Typeface* each) { return each->has(letter); });
+	return static_cast<std::size_t>(found - typefaces.begin());
+}
+
 bool breaksAfter(char c)
 {
 	return std::string_view(" _-:./,;").find(c) != std::string_view::npos;
@@ -41,31 +63,37 @@ void FontAtlas::SharedDeleter::operator()(ImDrawListSharedData* data) const
 	delete data;
 }
 
-FontAtlas::FontAtlas(const std::vector<double>& sizes, const std::vector<std::string>& texts)
+FontAtlas::FontAtlas(const std::vector<double>& sizes, const std::vector<std::string>& texts, const Typeface& font)
+    : typefaces_{&font}
 {
-	ImFontGlyphRangesBuilder builder;
-	builder.AddRanges(atlas_.GetGlyphRangesDefault());
-	builder.AddText(kEllipsis);
-	for (const std::string& text : texts)
-		builder.AddText(text.data(), text.data() + text.size());
-	ImVector<ImWchar> ranges;
-	builder.BuildRanges(&ranges);
+	if (&font != &Typeface::builtIn())
+		typefaces_.push_back(&Typeface::builtIn());
+	const std::set<char32_t> letters = lettersOf(texts);
+	std::vector<char32_t> missing;
+	std::ranges::copy_if(letters, std::back_inserter(missing),
+	                     [&](char32_t letter) { return firstWith(typefaces_, letter) == typefaces_.size(); });
+	if (!missing.empty())
+		std::ranges::copy(Typeface::having(missing), std::back_inserter(typefaces_));
 
-	const auto file = fontFile();
-	for (const double size : sizes)
+	std::vector<ImFontGlyphRangesBuilder> builders(typefaces_.size());
+	const auto add = [&](char32_t letter)
 	{
-		const int pixels = static_cast<int>(std::lround(size));
-		if (fonts_.contains(pixels))
-			continue;
-		ImFontConfig config;
-		config.FontDataOwnedByAtlas = false;
-		config.OversampleH = 2;
-		config.OversampleV = 1;
-		config.PixelSnapH = false;
-		// ImGui's interface is not const; the data is only read.
-		fonts_[pixels] = atlas_.AddFontFromMemoryTTF(const_cast<std::byte*>(file.data()), static_cast<int>(file.size()),
-		                                             static_cast<float>(pixels), &config, ranges.Data);
-	}
+		const std::size_t at = firstWith(typefaces_, letter);
+		builders[at < typefaces_.size() ? at : 0].AddChar(static_cast<ImWchar>(letter));
+	};
+	for (char32_t letter = kFirstDefaultLetter; letter <= kLastDefaultLetter; ++letter)
+		add(letter);
+	add(kEllipsisLetter);
+	for (const char32_t letter : letters)
+		if (letter <= IM_UNICODE_CODEPOINT_MAX)
+			add(letter);
+	builders[builtIn()].AddChar(static_cast<ImWchar>(kSoftHyphen));
+	std::vector<ImVector<ImWchar>> ranges(typefaces_.size());
+	for (std::size_t i = 0; i < typefaces_.size(); ++i)
+		builders[i].BuildRanges(&ranges[i]);
+	for (const double size : sizes)
+		if (!fonts_.contains(size))
+			addSize(size, ranges);
 	atlas_.GetTexDataAsAlpha8(&texels_, &texel_size_.x, &texel_size_.y);
 
 	shared_.reset(new ImDrawListSharedData);
@@ -82,9 +110,60 @@ FontAtlas::FontAtlas(const std::vector<double>& sizes, const std::vector<std::st
 
 FontAtlas::~FontAtlas() = default;
 
+std::size_t FontAtlas::builtIn() const
+{
+	return typefaces_.front() == &Typeface::builtIn() ? 0 : 1;
+}
+
+// All fonts are equally large by their em, and stand on the baseline of the font that is built in, so that text of any
+// font has its place in a line. That one comes first: ImGui takes a line from the first one, which must have a letter
+// that it finds, and a file of the user's may lie about its letters.
+void FontAtlas::addSize(double size, std::vector<ImVector<ImWchar>>& ranges)
+{
+	const double em = size / kLetterHeight;
+	std::vector<std::size_t> order(typefaces_.size());
+	std::iota(order.begin(), order.end(), std::size_t(0));
+	std::swap(order[0], order[builtIn()]);
+	for (const std::size_t i : order)
+	{
+		if (ranges[i].Size <= 1)
+			continue; // the end of a list without letters
+		const Typeface& typeface = *typefaces_[i];
+		ImFontConfig config;
+		config.FontDataOwnedByAtlas = false;
+		config.FontNo = typeface.number();
+		config.OversampleH = 2;
+		config.OversampleV = 1;
+		config.PixelSnapH = false;
+		config.MergeMode = fonts_.contains(size);
+		const auto bytes = typeface.bytes();
+		// ImGui's interface is not const; the data is only read.
+		fonts_[size] = atlas_.AddFontFromMemoryTTF(const_cast<std::byte*>(bytes.data()), static_cast<int>(bytes.size()),
+		                                           static_cast<float>(em * (typeface.ascent() + typeface.descent())),
+		                                           &config, ranges[i].Data);
+	}
+}
+
 ImFont* FontAtlas::font(double size) const
 {
-	return fonts_.at(static_cast<int>(std::lround(size)));
+	return fonts_.at(size);
+}
+
+std::vector<FontAtlas::Run> FontAtlas::runs(std::string_view text) const
+{
+	std::vector<Run> runs;
+	for (const char* at = text.data(); at < text.data() + text.size();)
+	{
+		unsigned letter = 0;
+		const int length = ImTextCharFromUtf8(&letter, at, text.data() + text.size());
+		const std::size_t with = firstWith(typefaces_, letter);
+		const Typeface* font = typefaces_[with < typefaces_.size() ? with : 0];
+		if (runs.empty() || runs.back().font != font)
+			runs.push_back({font, {}});
+		runs.back().text.append(at, static_cast<std::size_t>(length));
+		at += length;
+	}
+	return runs;
 }
 
 double FontAtlas::width(std::string_view text, double size) const
@@ -134,24 +213,15 @@ std::vector<std::string> FontAtlas::wrapped(std::string_view text, double size, 
 }
 
 std::shared_ptr<const FontAtlas> KeptLettering::get(const std::vector<double>& sizes,
-                                                    const std::vector<std::string>& texts)
+                                                    const std::vector<std::string>& texts, const Typeface& font)
 {
-	std::vector<int> pixels;
-	for (const double size : sizes)
-		pixels.push_back(static_cast<int>(std::lround(size)));
-	std::set<unsigned> letters;
-	for (const std::string& text : texts)
-		for (const char* at = text.data(); at < text.data() + text.size();)
-		{
-			unsigned letter = 0;
-			at += ImTextCharFromUtf8(&letter, at, text.data() + text.size());
-			if (letter > kLastDefaultLetter)
-				letters.insert(letter);
-		}
-	if (!kept_ || pixels != pixels_ || letters != letters_)
+	std::set<char32_t> letters = lettersOf(texts);
+	std::erase_if(letters, [](char32_t letter) { return letter <= kLastDefaultLetter; });
+	if (!kept_ || sizes != sizes_ || letters != letters_ || font_ != &font)
 	{
-		kept_ = std::make_shared<const FontAtlas>(sizes, texts);
-		pixels_ = std::move(pixels);
+		kept_ = std::make_shared<const FontAtlas>(sizes, texts, font);
+		sizes_ = sizes;
+		font_ = &font;
 		letters_ = std::move(letters);
 	}
 	return kept_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "render/font/typeface.h"
+
 #include <glm/vec2.hpp>
 #include <imgui/imgui.h>
 
@@ -22,7 +24,9 @@ class FontAtlas
 {
 public:
 	// texts: everything that will be written, in UTF-8. Digits, ASCII letters and the ellipsis are always there.
-	FontAtlas(const std::vector<double>& sizes, const std::vector<std::string>& texts);
+	// Letters that the font lacks are taken from the one that is built in, then from others of the system.
+	FontAtlas(const std::vector<double>& sizes, const std::vector<std::string>& texts,
+	          const Typeface& font = Typeface::builtIn());
 	~FontAtlas();
 	FontAtlas(const FontAtlas&) = delete;
 	FontAtlas& operator=(const FontAtlas&) = delete;
@@ -33,6 +37,14 @@ public:
 	// Returns lines no wider than `most`, broken after blanks and punctuation if there are any. If more than `lines`
 	// are needed, the last one ends with an ellipsis.
 	std::vector<std::string> wrapped(std::string_view text, double size, double most, std::size_t lines) const;
+
+	// A part of a text whose letters are in one font.
+	struct Run
+	{
+		const Typeface* font;
+		std::string text;
+	};
+	std::vector<Run> runs(std::string_view text) const;
 
 	ImDrawListSharedData* shared() const { return shared_.get(); }
 	ImFont* font(double size) const;
@@ -47,8 +59,12 @@ private:
 		void operator()(ImDrawListSharedData* data) const;
 	};
 
+	std::size_t builtIn() const; // its place in typefaces_
+	void addSize(double size, std::vector<ImVector<ImWchar>>& ranges);
+
+	std::vector<const Typeface*> typefaces_; // each letter is taken from the first one that has it
 	ImFontAtlas atlas_;
-	std::map<int, ImFont*> fonts_; // by size in pixels
+	std::map<double, ImFont*> fonts_; // by size
 	std::unique_ptr<ImDrawListSharedData, SharedDeleter> shared_;
 	unsigned char* texels_ = nullptr;
 	glm::ivec2 texel_size_{0};
@@ -59,11 +75,13 @@ class KeptLettering
 {
 public:
 	// The parameters are those of FontAtlas.
-	std::shared_ptr<const FontAtlas> get(const std::vector<double>& sizes, const std::vector<std::string>& texts);
+	std::shared_ptr<const FontAtlas> get(const std::vector<double>& sizes, const std::vector<std::string>& texts,
+	                                     const Typeface& font = Typeface::builtIn());
 
 private:
-	std::vector<int> pixels_;
-	std::set<unsigned> letters_; // besides those that are always there
+	std::vector<double> sizes_;
+	const Typeface* font_ = nullptr;
+	std::set<char32_t> letters_; // besides those that are always there
 	std::shared_ptr<const FontAtlas> kept_;
 };
 

@@ -13,6 +13,25 @@ namespace
 
 constexpr double kSmallestText = 9.0; // pixels; DejaVu is legible from there
 
+// A size that the user gives is exact: on a page it is that of the text around the picture. Otherwise whole pixels keep
+// the letters' stems sharp.
+void layOutText(const Look& look, Layout& layout)
+{
+	if (look.text_size > 0.0)
+	{
+		layout.em = kLetterHeight * look.text_size;
+		layout.title_em = 1.3 * layout.em;
+		layout.small_em = 0.85 * layout.em;
+	}
+	else
+	{
+		layout.em = std::max(kSmallestText, std::round(std::min(look.height / 44.0, look.width / 48.0)));
+		layout.title_em = std::round(1.3 * layout.em);
+		layout.small_em = std::max(kSmallestText, std::round(0.85 * layout.em));
+	}
+	layout.margin = std::round(1.1 * layout.em);
+}
+
 } // namespace
 
 Layout makeLayout(const Look& look, const std::vector<LegendContent>& legends)
@@ -20,11 +39,7 @@ Layout makeLayout(const Look& look, const std::vector<LegendContent>& legends)
 	const double width = look.width;
 	const double height = look.height;
 	Layout layout{};
-	// Whole pixels keep the letters' stems sharp.
-	layout.em = std::max(kSmallestText, std::round(std::min(height / 44.0, width / 48.0)));
-	layout.title_em = std::round(1.3 * layout.em);
-	layout.small_em = std::max(kSmallestText, std::round(0.85 * layout.em));
-	layout.margin = std::round(1.1 * layout.em);
+	layOutText(look, layout);
 
 	double right = width - layout.margin;
 	if (look.legend && !legends.empty())

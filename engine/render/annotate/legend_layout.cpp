@@ -12,13 +12,21 @@ namespace
 // DejaVu Sans: a digit is 0.636 em wide, wider than points, signs of numbers and most letters.
 constexpr double kDigitWidth = 0.64;
 constexpr double kLetterWidth = 0.60;
+constexpr double kWideLetter = 1.45; // width of a Chinese letter, in these widths
 
 constexpr double kLongestTitleLine = 9.0; // longest line of a legend's title, em
 
+// Letters whose first byte is E3 or above are mostly Chinese, Japanese or Korean, which are wider.
 std::size_t letters(const std::string& utf8)
 {
-	return static_cast<std::size_t>(std::count_if(
-	    utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
+	double count = 0.0;
+	for (const char c : utf8)
+	{
+		const auto byte = static_cast<unsigned char>(c);
+		if ((byte & 0xC0u) != 0x80u)
+			count += byte >= 0xE3u ? kWideLetter : 1.0;
+	}
+	return static_cast<std::size_t>(std::ceil(count));
 }
 
 constexpr double kLongestBar = 32.0;       // em
@@ -29,14 +37,17 @@ constexpr double kRoomyBar = 5.0;          // em; before it is shorter, what is 
 constexpr double kCap = 0.9;               // em
 constexpr double kAboveBar = 0.45;         // em, to the factor or the title
 
-Ticks legendTicks(const ValueStyle& style, int most)
+// apart: least distance between a label and those of the ends, as a share of the bar.
+Ticks legendTicks(const ValueStyle& style, int most, double apart)
 {
 	if (style.empty)
 		return {};
 	const std::vector<double>& levels = style.bands.empty() ? style.lines : style.bands;
-	if (!levels.empty())
-		return ticksAt(levels, most, style.logarithmic);
-	return style.logarithmic ? makeLogTicks(style.lo, style.hi, most) : makeTicks(style.lo, style.hi, most);
+	Ticks ticks = !levels.empty()     ? ticksAt(levels, most, style.logarithmic)
+	              : style.logarithmic ? makeLogTicks(style.lo, style.hi, most)
+	                                  : makeTicks(style.lo, style.hi, most);
+	addEnds(ticks, style.lo, style.hi, apart, style.logarithmic);
+	return ticks;
 }
 
 // Fewer categories than there is room for make a short column.
@@ -108,8 +119,13 @@ double layOut(const LegendContent& content, const Slot& slot, const Look& look, 
 	if (categories)
 		layOutCategories(map, em, slot.bar_lo, bottom, layout);
 	else
-		layout.ticks = legendTicks(style, std::clamp(static_cast<int>((bottom - slot.bar_lo) / (2.5 * em)), 2,
-		                                             style.lines.empty() && style.bands.empty() ? 9 : 16));
+	{
+		const double height = std::max(bottom - slot.bar_lo, em);
+		const int most =
+		    std::clamp(static_cast<int>(height / (2.5 * em)), 2, style.lines.empty() && style.bands.empty() ? 9 : 16);
+		const double for_factor = slot.tight ? kLineHeight * em : 0.0;
+		layout.ticks = legendTicks(style, most, kLineHeight * em / std::max(height - for_factor, em));
+	}
 
 	const double bar_width = 1.1 * em;
 	const double factor_height = layout.ticks.factor.empty() ? 0.0 : kLineHeight * em;

@@ -18,24 +18,27 @@ namespace
 {
 
 // Where x, y and z point, in the corner; what is nearer to the eye is drawn over what is farther.
-void writeDirections(const Camera& camera, const Layout& layout, Canvas& pen)
+void writeDirections(const Scene& scene, const Layout& layout, Canvas& pen)
 {
 	struct Axis
 	{
 		glm::dvec2 tip; // from the center, in lengths of the axis
 		double depth;
 		Color color;
-		const char* name;
+		const std::string* name;
 	};
-	const auto axis = [&](const Vec3& direction, Color color, const char* name)
+	const Camera& camera = scene.camera;
+	const auto& names = scene.look.axis_names;
+	const auto axis = [&](const Vec3& direction, Color color, const std::string& name)
 	{
 		return Axis{{glm::dot(direction, camera.right()), -glm::dot(direction, camera.trueUp())},
 		            glm::dot(direction, camera.forward()),
 		            color,
-		            name};
+		            &name};
 	};
-	std::array<Axis, 3> axes{axis({1.0, 0.0, 0.0}, pen.inks().x, "x"), axis({0.0, 1.0, 0.0}, pen.inks().y, "y"),
-	                         axis({0.0, 0.0, 1.0}, pen.inks().z, "z")};
+	std::array<Axis, 3> axes{axis({1.0, 0.0, 0.0}, pen.inks().x, names[0]),
+	                         axis({0.0, 1.0, 0.0}, pen.inks().y, names[1]),
+	                         axis({0.0, 0.0, 1.0}, pen.inks().z, names[2])};
 	std::sort(axes.begin(), axes.end(), [](const Axis& a, const Axis& b) { return a.depth > b.depth; });
 
 	const double em = layout.em;
@@ -59,7 +62,7 @@ void writeDirections(const Camera& camera, const Layout& layout, Canvas& pen)
 		// Beside an axis that points at the eye or away from it, its name goes where the others rarely are.
 		const glm::dvec2 place =
 		    seen > 0.15 ? tip + 0.55 * em * a.tip / seen : center + glm::dvec2(-0.6 * em, 0.65 * em);
-		pen.text(place - glm::dvec2(0.5 * pen.lettering().width(a.name, em), 0.55 * em), em, a.color, a.name);
+		pen.text(place - glm::dvec2(0.5 * pen.lettering().width(*a.name, em), 0.55 * em), em, a.color, *a.name);
 	}
 }
 
@@ -112,14 +115,15 @@ Overlay makeOverlay(const Scene& scene, KeptLettering* kept)
 	Overlay overlay;
 	KeptLettering own;
 	overlay.lettering =
-	    (kept ? *kept : own).get({layout.small_em, layout.em, layout.title_em}, writtenTexts(scene.look, legends));
+	    (kept ? *kept : own)
+	        .get({layout.small_em, layout.em, layout.title_em}, writtenTexts(scene.look, legends), *scene.look.font);
 	DrawListCanvas pen(*overlay.lettering, inksOn(scene.look.background), layout.em);
 	if (!scene.fitted && scene.bounds)
 		writePlates(scene, layout, pen);
 	writeContourLabels(scene, layout, pen);
 	writeTitles(scene.look, layout, pen);
 	if (scene.look.axes)
-		writeDirections(scene.camera, layout, pen);
+		writeDirections(scene, layout, pen);
 	if (scene.look.box_axes && scene.bounds)
 		writeBoxAxes(*scene.bounds, scene.camera, layout, scene.look.length_units, pen);
 	for (std::size_t i = 0; i < layout.legends.size(); ++i)

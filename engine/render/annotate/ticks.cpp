@@ -78,6 +78,13 @@ int decimalsOf(const std::vector<double>& values, int factor, double step)
 	return decimals;
 }
 
+void setFactor(Ticks& ticks, int exponent)
+{
+	ticks.exponent = exponent;
+	if (exponent != 0)
+		ticks.factor = "×10" + superscript(exponent);
+}
+
 Ticks linearTicks(const std::vector<double>& values)
 {
 	Ticks ticks;
@@ -86,12 +93,46 @@ Ticks linearTicks(const std::vector<double>& values)
 	const double largest = std::max(std::abs(values.front()), std::abs(values.back()));
 	const double step = leastDistance(values);
 	const int factor = isPlain(largest) && step >= 1e-6 ? 0 : decimalExponent(largest);
-	if (factor != 0)
-		ticks.factor = "×10" + superscript(factor);
+	setFactor(ticks, factor);
 	const int decimals = decimalsOf(values, factor, step);
 	for (const double value : values)
 		ticks.marks.push_back({value, withMinus(fmt::format("{:.{}f}", timesPowerOfTen(value, -factor), decimals))});
 	return ticks;
+}
+
+std::string logLabel(double value, bool plain)
+{
+	const int exponent = decimalExponent(value);
+	const double digits = timesPowerOfTen(value, -exponent);
+	if (plain)
+		return shortNumber(value);
+	return (std::abs(digits - 1.0) < 1e-6 ? "" : fmt::format("{:.3g}×", digits)) + "10" + superscript(exponent);
+}
+
+// Returns the label of an end of a linear scale, rounded to a thousandth of it, without zeros at its end.
+std::string endLabel(double value, double lo, double hi, int exponent)
+{
+	if (exponent == 0 && !isPlain(std::max(std::abs(lo), std::abs(hi))))
+		return shortNumber(value);
+	constexpr int kDigits = 3; // a thousandth
+	const int of_range = decimalExponent(2.0 * (0.5 * hi - 0.5 * lo)) - exponent;
+	const int decimals = std::clamp(kDigits - of_range, 0, 15);
+	std::string digits = fmt::format("{:.{}f}", timesPowerOfTen(value, -exponent), decimals);
+	if (decimals > 0)
+	{
+		digits.erase(digits.find_last_not_of('0') + 1);
+		if (digits.ends_with('.'))
+			digits.pop_back();
+	}
+	return digits == "-0" ? "0" : withMinus(digits);
+}
+
+bool isNarrow(double lo, double hi, double narrowest)
+{
+	const double largest = std::max(std::abs(lo), std::abs(hi));
+	// Halves, for the difference of huge values may overflow.
+	const double half = 0.5 * hi - 0.5 * lo;
+	return !(half > 0.5 * narrowest * largest) || largest < 1e12 * std::numeric_limits<double>::min();
 }
 
 // Powers of ten as such where plain digits would be long.
@@ -100,15 +141,7 @@ Ticks logTicks(const std::vector<double>& values)
 	Ticks ticks;
 	const bool plain = isPlain(values.front()) && isPlain(values.back());
 	for (const double value : values)
-	{
-		const int exponent = decimalExponent(value);
-		const double digits = timesPowerOfTen(value, -exponent);
-		std::string label = shortNumber(value);
-		if (!plain)
-			label =
-			    (std::abs(digits - 1.0) < 1e-6 ? "" : fmt::format("{:.3g}×", digits)) + "10" + superscript(exponent);
-		ticks.marks.push_back({value, label});
-	}
+		ticks.marks.push_back({value, logLabel(value, plain)});
 	return ticks;
 }
 
@@ -166,9 +199,8 @@ Ticks makeTicks(double lo, double hi, int most, double narrowest)
 	if (lo > hi)
 		std::swap(lo, hi);
 	const double largest = std::max(std::abs(lo), std::abs(hi));
-	// Halves, for the difference of huge values may overflow.
 	const double half = 0.5 * hi - 0.5 * lo;
-	if (!(half > 0.5 * narrowest * largest) || largest < 1e12 * std::numeric_limits<double>::min())
+	if (isNarrow(lo, hi, narrowest))
 		return constantTick(lo + half);
 
 	int exponent = decimalExponent(2.0 * (half / most)) - 1;
@@ -195,8 +227,7 @@ Ticks makeTicks(double lo, double hi, int most, double narrowest)
 	const int factor = plain ? 0 : decimalExponent(largest);
 	const int decimals = std::max(0, factor - exponent);
 	Ticks ticks;
-	if (factor != 0)
-		ticks.factor = "×10" + superscript(factor);
+	setFactor(ticks, factor);
 	for (double i = first; i <= last; i += 1.0)
 	{
 		const double multiple = i == 0.0 ? 0.0 : i * leading; // no negative zero
@@ -205,6 +236,25 @@ Ticks makeTicks(double lo, double hi, int most, double narrowest)
 		    {value, withMinus(fmt::format("{:.{}f}", timesPowerOfTen(multiple, exponent - factor), decimals))});
 	}
 	return ticks;
+}
+
+void addEnds(Ticks& ticks, double lo, double hi, double apart, bool logarithmic)
+{
+	if (!(hi > lo) || (!logarithmic && isNarrow(lo, hi, kNarrowestRange)))
+		return;
+	const auto scaled = [&](double value) { return logarithmic ? std::log10(value) : value; };
+	const double length = scaled(hi) - scaled(lo);
+	for (const double end : {lo, hi})
+	{
+		const auto share = [&](const Tick& mark) { return std::abs(scaled(mark.value) - scaled(end)) / length; };
+		constexpr double kSame = 1e-6; // part of the scale that no picture shows
+		if (std::ranges::any_of(ticks.marks, [&](const Tick& mark) { return share(mark) < kSame; }))
+			continue;
+		std::erase_if(ticks.marks, [&](const Tick& mark) { return share(mark) < apart; });
+		ticks.marks.insert(
+		    end == lo ? ticks.marks.begin() : ticks.marks.end(),
+		    {end, logarithmic ? logLabel(end, isPlain(lo) && isPlain(hi)) : endLabel(end, lo, hi, ticks.exponent)});
+	}
 }
 
 int digitsApart(const std::vector<double>& values)

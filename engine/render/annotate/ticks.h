@@ -20,6 +20,7 @@ struct Ticks
 {
 	std::vector<Tick> marks; // ascending; one, at the value, if lo and hi are equal
 	std::string factor;      // empty if the labels are the values
+	int exponent = 0;        // the factor is 10 to this power
 };
 
 // Places are not in single precision: far from the origin, the marks of a narrow axis still differ.
@@ -34,6 +35,11 @@ Ticks makeLogTicks(double lo, double hi, int most);
 
 // Returns marks at given ascending values. If there are more than `most`, only every second, third … of them.
 Ticks ticksAt(const std::vector<double>& values, int most, bool logarithmic);
+
+// Adds marks at the ends of a scale, lo < hi, whose labels are rounded to a thousandth of it. Other marks of the scale
+// nearer to an end than `apart`, a share of the scale, are left out. A scale so narrow that it has one mark stays as it
+// is.
+void addEnds(Ticks& ticks, double lo, double hi, double apart, bool logarithmic);
 
 // Returns a number for a caption, with the given number of significant digits, a true minus sign and no negative zero.
 std::string shortNumber(double value, int significant = 4);

@@ -20,6 +20,8 @@ using nlohmann::json;
 
 // Presets are a few kilobytes; a file of data given by mistake is not read to its end.
 constexpr std::uintmax_t kLargestFile = std::uintmax_t(16) << 20;
+// No preset is nested more deeply, and millions of levels would fill the stack. What lies deeper is left out.
+constexpr int kMaxDepth = 32;
 
 Error badColorMap(const std::string& file, const std::string& what)
 {
@@ -74,7 +76,8 @@ Result<ColorMap> named(const std::string& text)
 
 Result<ColorMap> parseColorMap(std::string_view text, const std::string& file, const std::string& preset)
 {
-	json document = json::parse(text, nullptr, false);
+	const auto is_shallow = [](int depth, json::parse_event_t, const json&) { return depth <= kMaxDepth; };
+	json document = json::parse(text, is_shallow, false);
 	if (document.is_discarded())
 		return badColorMap(file, "is not JSON; export the color map from ParaView again");
 	auto chosen = choosePreset(std::move(document), file, preset);

@@ -105,30 +105,6 @@ Rgb presetColorAt(const std::vector<double>& points, double x, ColorSpace space)
 	return between({a[1], a[2], a[3]}, {b[1], b[2], b[3]}, part, space);
 }
 
-// The opacity that vtkPiecewiseFunction gives between two points: half way at the midpoint, and a sharpness from 0, a
-// straight line, by Hermite curves to 1, a step.
-double opacityAt(const std::vector<double>& points, double x)
-{
-	const double* a = &points[intervalOf(points, 4, x)];
-	const double* b = a + 4;
-	double s = partOf(x, a[0], b[0]);
-	const double midpoint = std::clamp(a[2], 1e-5, 1.0 - 1e-5);
-	s = s < midpoint ? 0.5 * s / midpoint : 0.5 + 0.5 * (s - midpoint) / (1.0 - midpoint);
-	const double sharpness = a[3];
-	if (sharpness > 0.99)
-		return s < 0.5 ? a[1] : b[1];
-	if (sharpness < 0.01)
-		return (1.0 - s) * a[1] + s * b[1];
-	const double power = 1.0 + 10.0 * sharpness;
-	s = s < 0.5 ? 0.5 * std::pow(2.0 * s, power) : 1.0 - 0.5 * std::pow(2.0 * (1.0 - s), power);
-	const double slope = (1.0 - sharpness) * (b[1] - a[1]);
-	const double s2 = s * s;
-	const double s3 = s2 * s;
-	const double value = (2.0 * s3 - 3.0 * s2 + 1.0) * a[1] + (3.0 * s2 - 2.0 * s3) * b[1] +
-	                     (s3 - 2.0 * s2 + s) * slope + (s3 - s2) * slope;
-	return std::clamp(value, std::min(a[1], b[1]), std::max(a[1], b[1]));
-}
-
 bool isOff(const json& preset, const char* key)
 {
 	return preset.contains(key) && (preset[key] == false || preset[key] == 0);
@@ -164,7 +140,8 @@ Status setColors(const json& preset, ColorMap& map)
 	for (int i = 0; i < kColorMapSize; ++i)
 	{
 		const double x = lo + (hi - lo) * i / (kColorMapSize - 1);
-		map.colors[i] = colorOf(presetColorAt(*points, x, *space), opacities->empty() ? 1.0 : opacityAt(*opacities, x));
+		map.colors[i] =
+		    colorOf(presetColorAt(*points, x, *space), opacities->empty() ? 1.0 : presetOpacity(*opacities, x));
 	}
 	return Nothing{};
 }
@@ -240,6 +217,28 @@ Status takeColor(const json& preset, const char* key, Color& to)
 }
 
 } // namespace
+
+double presetOpacity(const std::vector<double>& points, double x)
+{
+	const double* a = &points[intervalOf(points, 4, x)];
+	const double* b = a + 4;
+	double s = partOf(x, a[0], b[0]);
+	const double midpoint = std::clamp(a[2], 1e-5, 1.0 - 1e-5);
+	s = s < midpoint ? 0.5 * s / midpoint : 0.5 + 0.5 * (s - midpoint) / (1.0 - midpoint);
+	const double sharpness = a[3];
+	if (sharpness > 0.99)
+		return s < 0.5 ? a[1] : b[1];
+	if (sharpness < 0.01)
+		return (1.0 - s) * a[1] + s * b[1];
+	const double power = 1.0 + 10.0 * sharpness;
+	s = s < 0.5 ? 0.5 * std::pow(2.0 * s, power) : 1.0 - 0.5 * std::pow(2.0 * (1.0 - s), power);
+	const double slope = (1.0 - sharpness) * (b[1] - a[1]);
+	const double s2 = s * s;
+	const double s3 = s2 * s;
+	const double value = (2.0 * s3 - 3.0 * s2 + 1.0) * a[1] + (3.0 * s2 - 2.0 * s3) * b[1] +
+	                     (s3 - 2.0 * s2 + s) * slope + (s3 - s2) * slope;
+	return std::clamp(value, std::min(a[1], b[1]), std::max(a[1], b[1]));
+}
 
 std::string oneLine(const json& words)
 {

@@ -1,12 +1,13 @@
 #include "render/flat/cairo_canvas.h"
 
 #include "render/annotate/valid_utf8.h"
-#include "render/font/font.h"
 
 #include <cairo-ft.h>
 #include <cairo.h>
 
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <numbers>
 #include <stdexcept>
 
@@ -16,29 +17,31 @@ namespace vp::render
 namespace
 {
 
-// FontAtlas's sizes are from the highest letter's top to the lowest one's bottom, cairo's are the font's em; of
-// DejaVu Sans in its units of 2048 to the em.
-constexpr double kAscent = 1901.0;
-constexpr double kDescent = 483.0;
-constexpr double kUnits = 2048.0;
-constexpr double kEm = kUnits / (kAscent + kDescent);
-constexpr double kBaseline = kAscent / (kAscent + kDescent);
+// FontAtlas's sizes are from the highest letter's top to the lowest one's bottom, cairo's are the font's em.
+constexpr double kEm = 1.0 / kLetterHeight;
+constexpr double kBaseline = kLetterAscent / kLetterHeight;
 
-cairo_font_face_t* makeFace()
+cairo_font_face_t* makeFace(const Typeface& font)
 {
-	FT_Library library = nullptr;
+	static FT_Library library = nullptr;
 	FT_Face face = nullptr;
-	const auto file = fontFile();
-	if (FT_Init_FreeType(&library) != 0 || FT_New_Memory_Face(library, reinterpret_cast<const FT_Byte*>(file.data()),
-	                                                          static_cast<FT_Long>(file.size()), 0, &face) != 0)
-		throw std::logic_error("the font that is built in cannot be read");
+	const auto file = font.bytes();
+	if ((!library && FT_Init_FreeType(&library) != 0) ||
+	    FT_New_Memory_Face(library, reinterpret_cast<const FT_Byte*>(file.data()), static_cast<FT_Long>(file.size()),
+	                       font.number(), &face) != 0)
+		throw std::logic_error("a font that was read before cannot be read again");
 	return cairo_ft_font_face_create_for_ft_face(face, FT_LOAD_NO_HINTING);
 }
 
-// cairo may keep a face longer than a context lives: this one lives as long as the program.
-cairo_font_face_t* fontFace()
+// cairo may keep a face longer than a context lives: these live as long as the program.
+cairo_font_face_t* fontFace(const Typeface& font)
 {
-	static cairo_font_face_t* const face = makeFace();
+	static std::mutex mutex;
+	static std::map<const Typeface*, cairo_font_face_t*> faces;
+	const std::lock_guard lock(mutex);
+	cairo_font_face_t*& face = faces[&font];
+	if (!face)
+		face = makeFace(font);
 	return face;
 }
 
@@ -47,7 +50,6 @@ cairo_font_face_t* fontFace()
 CairoCanvas::CairoCanvas(cairo_t* context, const FontAtlas& lettering, const Inks& inks, double em)
     : Canvas(lettering, inks, em), context_(context)
 {
-	cairo_set_font_face(context_, fontFace());
 	cairo_font_options_t* options = cairo_font_options_create();
 	cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
 	cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
@@ -86,29 +88,53 @@ void CairoCanvas::text(const glm::dvec2& top_left, double size, Color color, con
 	setColor(color);
 	cairo_set_font_size(context_, kEm * size);
 	cairo_move_to(context_, top_left.x, top_left.y + kBaseline * size);
-	cairo_show_text(context_, validUtf8(words).c_str());
+	show(words);
+}
+
+// Each call goes on where the one before has ended.
+void CairoCanvas::show(const std::string& words)
+{
+	for (const FontAtlas::Run& run : lettering().runs(validUtf8(words)))
+	{
+		cairo_set_font_face(context_, fontFace(*run.font));
+		cairo_show_text(context_, run.text.c_str());
+	}
+}
+
+double CairoCanvas::advance(const std::string& words)
+{
+	double sum = 0.0;
+	for (const FontAtlas::Run& run : lettering().runs(validUtf8(words)))
+	{
+		cairo_text_extents_t extents;
+		cairo_set_font_face(context_, fontFace(*run.font));
+		cairo_text_extents(context_, run.text.c_str(), &extents);
+		sum += extents.x_advance;
+	}
+	return sum;
 }
 
 void CairoCanvas::turnedText(const glm::dvec2& center, double angle, double size, Color color, Color halo,
                              const std::string& words)
 {
-	const std::string letters = validUtf8(words);
 	cairo_save(context_);
 	cairo_translate(context_, center.x, center.y);
 	cairo_rotate(context_, angle);
 	cairo_set_font_size(context_, kEm * size);
-	cairo_text_extents_t extents;
-	cairo_text_extents(context_, letters.c_str(), &extents);
-	const glm::dvec2 start(-0.5 * extents.x_advance, (kBaseline - 0.5) * size);
+	const glm::dvec2 start(-0.5 * advance(words), (kBaseline - 0.5) * size);
 	if (halo.a > 0)
 	{
 		cairo_move_to(context_, start.x, start.y);
-		cairo_text_path(context_, letters.c_str());
+		for (const FontAtlas::Run& run : lettering().runs(validUtf8(words)))
+		{
+			cairo_set_font_face(context_, fontFace(*run.font));
+			cairo_text_path(context_, run.text.c_str());
+		}
 		stroke(halo, 2.0 * kHalo * size);
 	}
 	setColor(color);
 	cairo_move_to(context_, start.x, start.y);
-	cairo_show_text(context_, letters.c_str());
+	show(words);
 	cairo_restore(context_);
 }
 

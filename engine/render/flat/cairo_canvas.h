@@ -7,7 +7,7 @@ typedef struct _cairo cairo_t;
 namespace vp::render
 {
 
-// A canvas on any surface of cairo, with the font of FontAtlas.
+// A canvas on any surface of cairo, with the fonts of FontAtlas.
 class CairoCanvas final : public Canvas
 {
 public:
@@ -31,6 +31,9 @@ public:
 	void colorBar(const Area& bar, const ColorMap& colors) override;
 
 private:
+	void show(const std::string& words);
+	double advance(const std::string& words); // width of a text
+
 	cairo_t* context_;
 };
 

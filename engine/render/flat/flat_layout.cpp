@@ -83,7 +83,7 @@ double layOutColumn(const FlatScene& flat, const std::vector<LegendContent>& leg
 	Layout& text = layout.text;
 	const double right = look.width - text.margin;
 	double left = right;
-	if (look.axes && flat.scene.bounds)
+	if (look.small_view && flat.scene.bounds)
 	{
 		const double side = std::min({kSmallView * text.em, 0.3 * look.width, 0.36 * look.height});
 		if (side > kMinSmallView * text.em)

@@ -37,7 +37,7 @@ void drawFlat(const FlatScene& flat, cairo_t* context)
 	const std::vector<LegendContent> legends = legendContents(flat.scene);
 	look.axes = look.box_axes = false; // those of a picture in space
 	Layout text = makeLayout(look, {});
-	const FontAtlas lettering({text.small_em, text.em, text.title_em}, writtenTexts(look, legends));
+	const FontAtlas lettering({text.small_em, text.em, text.title_em}, writtenTexts(look, legends), *look.font);
 	const FlatLayout layout = makeFlatLayout(flat, legends, text, lettering);
 
 	paintBackground(look, context);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesh/part_edges.h"
 #include "mesh/sheet_mesh.h"
 #include "render/scene/scene.h"
 
@@ -20,6 +21,7 @@ struct FlatScene
 	probe::Sheet content;
 	const mesh::SheetMesh* mesh = nullptr; // mesh of the content
 	SheetValues values;
+	mesh::PartEdges part_edges{};     // edges that the mesh lines leave out
 	std::array<std::string, 4> sides; // letters at the left, right, lower and upper rim; mostly empty
 	// The number of color steps over the range, if the look has no bands. At most 256, as in a color map. A file of
 	// polygons grows with it.

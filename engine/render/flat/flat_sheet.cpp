@@ -165,10 +165,10 @@ private:
 		for (std::size_t p = 0; p < flat_.mesh->polygons(); ++p)
 		{
 			const auto polygon = flat_.mesh->polygon(p);
-			const std::vector<std::uint8_t> is_bridge = mesh::bridgesOf(polygon);
+			const std::vector<std::uint8_t> is_hidden = mesh::hiddenSidesOf(*flat_.mesh, p);
 			for (std::size_t i = 0; i < polygon.size(); ++i)
 			{
-				if (!is_bridge.empty() && is_bridge[i])
+				if ((!is_hidden.empty() && is_hidden[i]) || flat_.part_edges.isInner(flat_.mesh->polygon_starts[p] + i))
 					continue;
 				const std::pair<std::uint32_t, std::uint32_t> edge =
 				    std::minmax(polygon[i], polygon[(i + 1) % polygon.size()]);

@@ -8,6 +8,8 @@
 #include "render/passes/picture_geometry.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace vp::render
 {
@@ -25,6 +27,35 @@ constexpr std::uint32_t kLists = shared::kRasterLists;
 
 constexpr VkPipelineStageFlags2 kCompute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
 constexpr VkAccessFlags2 kWrites = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
+
+// Returns false if no polygon of a sheet can be one for the last stage: none covers more than kHugeArea pixels, and all
+// lie before the near plane and not far outside of the picture. Software compiles a stage when it first runs, and this
+// one takes it longer than all others.
+bool mayBeHuge(const classify::SheetRecords& records, const shared::RasterPush& push)
+{
+	constexpr double kSure = 0.5;
+	if (!records.bounds || !records.longest)
+		return true;
+	const auto row = [](const float(&r)[3]) { return glm::dvec3(r[0], r[1], r[2]); };
+	const glm::dvec3 u_axis = row(push.u_axis), v_axis = row(push.v_axis), origin = row(push.origin);
+	double least_w = std::numeric_limits<double>::infinity();
+	double farthest = 0.0;
+	const mesh::UvBounds& bounds = *records.bounds;
+	for (const double u : {bounds.lo.x, bounds.hi.x})
+		for (const double v : {bounds.lo.y, bounds.hi.y})
+		{
+			const glm::dvec3 at = u * u_axis + v * v_axis + origin;
+			least_w = std::min(least_w, at.z);
+			farthest = std::max(farthest, std::max(std::abs(at.x), std::abs(at.y)) / at.z);
+		}
+	if (!(least_w > push.near_w / kSure && farthest < kSure * shared::kFarOutside))
+		return true;
+	// The derivative of a place, (x, y) / w, by u is at most (|axis.xy| + |place| |axis.z|) / w.
+	const auto most = [&](const glm::dvec3& axis)
+	{ return (glm::length(glm::dvec2(axis)) + 2.0 * farthest * std::abs(axis.z)) / least_w; };
+	const double side = *records.longest * std::hypot(most(u_axis), most(v_axis)) / shared::kSubpixels;
+	return !(side * side < kSure * shared::kHugeArea);
+}
 
 } // namespace
 
@@ -217,10 +248,12 @@ void RasterPass::record(VkCommandBuffer commands, const Scene& scene, std::span<
                         const Drawing& drawing) const
 {
 	std::vector<shared::RasterPush> pushes;
+	std::vector<bool> may_be_huge;
 	std::size_t parts = 0;
 	for (const std::size_t sheet : sheets)
 	{
 		pushes.push_back(rasterPush(scene.sheets[sheet], scene.camera, drawing.part, drawing.jitter));
+		may_be_huge.push_back(scene.sheets[sheet].records && mayBeHuge(*scene.sheets[sheet].records, pushes.back()));
 		pushes.back().largest = static_cast<float>(std::min(drawing.side, shared::kMaxRasterSide) * shared::kSubpixels);
 		if (!runs(sheet).empty())
 			parts = std::max(parts, runs(sheet).back().part + 1);
@@ -229,7 +262,7 @@ void RasterPass::record(VkCommandBuffer commands, const Scene& scene, std::span<
 	{
 		for (std::size_t i = 0; i < sheets.size(); ++i)
 			for (const Run& run : runs(sheets[i]))
-				if (run.part == part)
+				if (run.part == part && (stage != shared::kRasterHuge || may_be_huge[i]))
 					recordRun(commands, run, sheet_pipelines_[sheets[i]], stage, pushes[i]);
 	};
 	for (std::size_t part = 0; part < parts; ++part)

@@ -76,7 +76,7 @@ private:
 		const Vec3 area = mesh::doubleArea(mesh_, polygon);
 		const double polygon_width = width(glm::length(area), corners_);
 		flatten(area);
-		bridges_ = mesh::bridgesOf(polygon);
+		bridges_ = mesh::hiddenSidesOf(mesh_, p);
 		if (!mesh::isFan(places_))
 		{
 			for (const std::vector<std::uint32_t>& fan : mesh::cutIntoFans(places_))
@@ -120,8 +120,8 @@ private:
 		{
 			const std::uint32_t corner = of_polygon[k];
 			const std::uint32_t next = of_polygon[(k + 1) % 3];
-			const bool is_edge = (next == (corner + 1) % corners && !isBridge(corner)) ||
-			                     (corner == (next + 1) % corners && !isBridge(next));
+			const bool is_edge = (next == (corner + 1) % corners && !isHidden(start, corner)) ||
+			                     (corner == (next + 1) % corners && !isHidden(start, next));
 			triangle.corners[k] = vertexHere(polygon[corner]) | (is_edge ? 0u : shared::kHiddenEdge);
 			triangle.normals[k] = octahedral(normals_[start + corner]);
 			if (is_edge && !across_.empty())
@@ -131,12 +131,18 @@ private:
 		triangle.value = polygonValue(p);
 		const double own = width(glm::length(glm::cross(places[1] - places[0], places[2] - places[0])), places);
 		triangle.width = own > 0.0 ? static_cast<float>(polygon_width / own) : 1.0f;
+		if (values_.part_edges)
+			triangle.width *= values_.part_edges->widthOf(p);
 		parts_.back().triangles.push_back(triangle);
 		if (!across_.empty())
 			parts_.back().across.push_back(across);
 	}
 
-	bool isBridge(std::uint32_t corner) const { return !bridges_.empty() && bridges_[corner]; }
+	bool isHidden(std::uint32_t start, std::uint32_t corner) const
+	{
+		return (!bridges_.empty() && bridges_[corner]) ||
+		       (values_.part_edges && values_.part_edges->isInner(start + corner));
+	}
 
 	float polygonValue(std::size_t p) const
 	{

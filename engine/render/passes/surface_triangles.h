@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesh/part_edges.h"
 #include "mesh/sheet_mesh.h"
 #include "shared/render_types.h"
 
@@ -17,6 +18,7 @@ struct SurfaceValues
 {
 	std::span<const double> at_vertices{};
 	std::span<const double> of_polygons{};
+	const mesh::PartEdges* part_edges = nullptr; // edges that are not drawn
 };
 
 // The part of the same surface that another process draws.

@@ -3,13 +3,35 @@
 #include "grid/shown_value.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_reduce.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace vp::render
 {
+
+namespace
+{
+
+double leastOfStored(const grid::Field& field, int component)
+{
+	tbb::enumerable_thread_specific<double> least(std::numeric_limits<double>::infinity());
+	const std::size_t width = field.stored->layout().item_bytes;
+	const auto include = [&](std::uint64_t, const std::byte* bytes, std::size_t count)
+	{
+		for (std::size_t t = 0; t < count; ++t)
+			if (const double value = grid::shownValue(field, bytes + t * width, component);
+			    value > 0.0 && std::isfinite(value))
+				least.local() = std::min(least.local(), value);
+	};
+	field.stored->forEachRun(include);
+	return least.combine([](double a, double b) { return std::min(a, b); });
+}
+
+} // namespace
 
 double leastPositive(const grid::BlockSet& blocks, const grid::FieldChoice& choice)
 {
@@ -19,6 +41,11 @@ double leastPositive(const grid::BlockSet& blocks, const grid::FieldChoice& choi
 		const grid::Field* field = choice.in(block);
 		if (!field)
 			continue;
+		if (field->stored)
+		{
+			least = std::min(least, leastOfStored(*field, choice.component));
+			continue;
+		}
 		const auto scan = [&](const tbb::blocked_range<std::size_t>& tuples, double result)
 		{
 			for (std::size_t t = tuples.begin(); t < tuples.end(); ++t)

@@ -88,4 +88,20 @@ Result<std::pair<std::uint32_t, std::uint32_t>> parseSize(std::string_view text)
 	             fmt::format("no size; write WIDTHxHEIGHT in pixels, as 1280x720, up to {}", kMaxPictureSize)};
 }
 
+Result<double> parseTextSize(std::string_view text)
+{
+	constexpr double kPixelsPerPoint = 4.0 / 3.0;
+	double size = 0.0;
+	const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), size);
+	const std::string_view unit(rest, static_cast<std::size_t>(text.data() + text.size() - rest));
+	if (unit == "pt")
+		size *= kPixelsPerPoint;
+	if (error == std::errc{} && (unit.empty() || unit == "px" || unit == "pt") && size >= kMinTextSize &&
+	    size <= kMaxTextSize)
+		return size;
+	return Error{ErrorKind::usage,
+	             fmt::format("no size of text; write pixels or points, as 14 or 9pt, from {} to {} pixels",
+	                         kMinTextSize, kMaxTextSize)};
+}
+
 } // namespace vp::render

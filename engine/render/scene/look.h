@@ -2,8 +2,10 @@
 
 #include "base/result.h"
 #include "render/color/color_map.h"
+#include "render/font/typeface.h"
 #include "render/scene/outline.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -39,6 +41,13 @@ std::string backgroundText(const Background& background); // parseBackground() r
 // Returns the size of a text WxH in pixels. The usage error does not name the setting.
 Result<std::pair<std::uint32_t, std::uint32_t>> parseSize(std::string_view text);
 
+constexpr double kMinTextSize = 4.0; // pixels
+constexpr double kMaxTextSize = 500.0;
+
+// Returns the size of text in pixels: of `12`, `12px` or `9pt`, where a point is 4/3 of a pixel, as on a page. The
+// usage error names neither the setting nor the text.
+Result<double> parseTextSize(std::string_view text);
+
 // The settings of a picture that a user can change.
 struct Look
 {
@@ -58,10 +67,14 @@ struct Look
 	std::string length_units; // on axes, behind their names; empty: none
 	std::string title;
 	std::string caption;
+	double text_size = 0.0; // em of plain text, pixels; 0: it follows from the size of the picture
+	const Typeface* font = &Typeface::builtIn();
 	Outline outline = Outline::box;
 	bool legend = true;
-	bool axes = true;      // the directions of x, y and z, in the lower left corner
-	bool box_axes = false; // numbers along edges of the scene's bounds
+	bool axes = true;                                     // the directions of x, y and z, in the lower left corner
+	std::array<std::string, 3> axis_names{"x", "y", "z"}; // there; of a patient: the sides that the axes run to
+	bool small_view = true;                               // beside a flat picture: where the sheet lies in the grid
+	bool box_axes = false;                                // numbers along edges of the scene's bounds
 };
 
 } // namespace vp::render

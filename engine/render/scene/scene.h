@@ -29,13 +29,14 @@ struct ValueScale
 	std::string title; // above the legend: name and component
 	double lo = 0.0;   // range of the data
 	double hi = 1.0;
-	bool has_nan = false;   // the legend gets a swatch for NaN
-	bool per_cell = false;  // constant in each polygon; contour lines run between polygons
-	double log_lo = 0.0;    // low end of a logarithmic scale, above 0; 0: no value is above 0
-	bool below = false;     // minus infinity occurs
-	bool above = false;     // infinity occurs; lo and hi are finite
-	bool empty = false;     // no value is finite, so lo and hi mean nothing
-	bool is_window = false; // values lie beyond lo and hi, as with a range of the user's
+	bool has_nan = false;  // the legend gets a swatch for NaN
+	bool per_cell = false; // constant in each polygon; contour lines run between polygons
+	double log_lo = 0.0;   // low end of a logarithmic scale, above 0; 0: no value is above 0
+	bool below = false;    // minus infinity occurs
+	bool above = false;    // infinity occurs; lo and hi are finite
+	bool empty = false;    // no value is finite, so lo and hi mean nothing
+	// The lowest and highest value of the whole array. Nothing: values may lie beyond any range.
+	std::optional<std::pair<double, double>> reach{};
 };
 
 // x0 < x1 along a sheet's u, y0 < y1 along its v.

@@ -26,8 +26,9 @@ ValueStyle styleOf(const ColorMap& colors, const ValueScale& values, const Look&
 		style.lo = values.log_lo;
 	if (style.logarithmic && !(style.lo > 0.0 && style.hi >= style.lo))
 		style.lo = style.hi = 1.0; // nothing can be shown
-	style.above = range.has_value() || values.above || values.is_window;
-	style.below = range.has_value() || values.below || values.is_window || (style.logarithmic && values.lo <= 0.0);
+	style.above = values.above || (values.reach ? values.reach->second > style.hi : range.has_value());
+	style.below = values.below || (values.reach ? values.reach->first < style.lo : range.has_value()) ||
+	              (style.logarithmic && values.lo <= 0.0);
 	style.marks = look.marks_out_of_range;
 	style.empty = values.empty && !range;
 	if (!colors.categories.empty())

@@ -27,4 +27,12 @@ inline std::map<std::string, std::string> restrictedDevice(const std::string& re
 	        {"VPROBE_LAYER_RESTRICT", restrictions}};
 }
 
+/// The environment of a program whose driver tells figures of pipelines (given.h).
+inline std::map<std::string, std::string> givenExecutables()
+{
+	return {{"VK_LAYER_PATH", VPROBE_TEST_LAYERS},
+	        {"VK_INSTANCE_LAYERS", "VK_LAYER_KHRONOS_validation:VK_LAYER_VPROBE_test"},
+	        {"VPROBE_LAYER_GIVE", "executables"}};
+}
+
 } // namespace vp::layer

@@ -1,6 +1,7 @@
-// A Vulkan layer for tests. It takes features and limits from a device (restrictions.h), and lets calls fail
-// (faults.h).
+// A Vulkan layer for tests. It takes features and limits from a device (restrictions.h), gives it an extension
+// (given.h), and lets calls fail (faults.h).
 #include "faults.h"
+#include "given.h"
 #include "next_layer.h"
 #include "restrictions.h"
 
@@ -198,7 +199,9 @@ VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkD
 	faults().renew();
 	if (const auto fault = faults().next(kAll))
 		return *fault;
-	const VkResult made = create(physical, info, callbacks, device);
+	VkDeviceCreateInfo asked = *info;
+	asked.pNext = withoutGivenFeature(info->pNext);
+	const VkResult made = create(physical, &asked, callbacks, device);
 	if (made != VK_SUCCESS)
 		return made;
 	const std::unique_lock lock(mutex);
@@ -240,6 +243,7 @@ VKAPI_ATTR void VKAPI_CALL features2(VkPhysicalDevice device, VkPhysicalDeviceFe
 {
 	instanceOf(device).vkGetPhysicalDeviceFeatures2(device, told);
 	restrictions().limit(told->features);
+	addGivenFeature(told->pNext);
 }
 
 VKAPI_ATTR void VKAPI_CALL memory(VkPhysicalDevice device, VkPhysicalDeviceMemoryProperties* told)
@@ -278,6 +282,8 @@ VKAPI_ATTR VkResult VKAPI_CALL deviceExtensions(VkPhysicalDevice device, const c
 	if (const VkResult asked = ask(device, layer, &all, extensions.data()); asked != VK_SUCCESS)
 		return asked;
 	std::erase_if(extensions, [](const auto& extension) { return restrictions().hides(extension.extensionName); });
+	if (!layer)
+		addGivenExtension(extensions);
 	const std::size_t given = told ? std::min<std::size_t>(*count, extensions.size()) : extensions.size();
 	if (told)
 		std::copy_n(extensions.begin(), given, told);
@@ -337,6 +343,9 @@ const Entry kDeviceFunctions[] = {entry("vkGetDeviceProcAddr", deviceFunction),
 #undef VP_ENTRY
 };
 
+const Entry kGivenFunctions[] = {entry("vkGetPipelineExecutablePropertiesKHR", givenExecutables),
+                                 entry("vkGetPipelineExecutableStatisticsKHR", givenStatistics)};
+
 template <std::size_t size>
 PFN_vkVoidFunction find(const Entry (&entries)[size], const char* name)
 {
@@ -349,6 +358,8 @@ PFN_vkVoidFunction VKAPI_CALL deviceFunction(VkDevice device, const char* name)
 {
 	const NextDevice& next = deviceOf(device);
 	// If the next layer does not have a function, this one does not have it either.
+	if (const PFN_vkVoidFunction given = find(kGivenFunctions, name); given && givesExecutables())
+		return given;
 	const PFN_vkVoidFunction there = next.get(device, name);
 	const PFN_vkVoidFunction here = find(kDeviceFunctions, name);
 	return there && here ? here : there;

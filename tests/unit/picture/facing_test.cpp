@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace vp::picture::test
 {
 
@@ -68,7 +70,40 @@ TEST(Facing, RadiologistsSeeAPatientThisWay)
 	// The axes may be in any order: here x runs to the front, y to the head and z to the left.
 	EXPECT_EQ(sides(kZ, "ASL"), (Sides{"A", "P", "F", "H"}));
 	// An oblique plane has the sides of the nearest axes.
-	EXPECT_EQ(sides(glm::normalize(Vec3{0.1, -0.2, -1.0}), "LPS"), (Sides{"R", "L", "P", "A"}));
+	EXPECT_EQ(sides(glm::normalize(Vec3{0.1, -0.2, 1.0}), "LPS"), (Sides{"R", "L", "P", "A"}));
+	EXPECT_EQ(sides(glm::normalize(Vec3{0.1, -0.2, -1.0}), "LPS"), (Sides{"L", "R", "P", "A"})); // as -z
+}
+
+// A plane that leans by 20 degrees is seen from the same side as the one it is nearest to, with the same side up.
+TEST(Facing, APatientsObliquePlanesLookLikeTheNearest)
+{
+	const double c = std::cos(20.0 * 3.14159265358979323846 / 180.0);
+	const double s = std::sqrt(1.0 - c * c);
+	// Axial, leaning to the back in LPS and to the front in RAS: from the feet, the patient's left to the right.
+	expectView(seen({0.0, s, c}, "LPS"), kX, {0.0, -c, s}, {0.0, -s, -c});
+	expectView(seen({0.0, s, c}, "RAS"), -kX, {0.0, c, -s}, {0.0, -s, -c});
+	expectView(seen({0.0, -s, -c}, "RAS"), kX, {0.0, c, -s}, {0.0, s, c}); // as -z: from the head
+	// Coronal, leaning to the head: from the front.
+	expectView(seen({0.0, c, s}, "RAS"), -kX, {0.0, -s, c}, {0.0, c, s});
+	// Sagittal, leaning to the front: from the left, the back to the right.
+	expectView(seen({c, s, 0.0}, "RAS"), {s, -c, 0.0}, kZ, {-c, -s, 0.0});
+	// Far from each of them, from the side of the normal.
+	const Vec3 corner = glm::normalize(Vec3{1.0, 1.0, 1.0});
+	EXPECT_LT(glm::length(seen(corner, "RAS").normal - corner), 1e-12);
+	// Where nothing tells of a patient, too.
+	EXPECT_LT(glm::length(seen({0.0, s, -c}).normal - Vec3{0.0, s, -c}), 1e-12);
+}
+
+TEST(Orientation, IsThatOfAllBlocks)
+{
+	grid::BlockSet blocks;
+	EXPECT_FALSE(orientationOf(blocks).isGiven());
+	blocks.blocks.resize(2);
+	blocks.blocks[0].imaging = {.orientation = "RAS", .gray = true};
+	blocks.blocks[1].imaging = {.orientation = "RAS", .labels = true};
+	EXPECT_EQ(orientationOf(blocks), grid::parseOrientation("RAS"));
+	blocks.blocks[1].imaging.orientation = "LPS";
+	EXPECT_FALSE(orientationOf(blocks).isGiven());
 }
 
 TEST(Facing, LeftHandedCoordinatesAreMirroredAsTheyAre)

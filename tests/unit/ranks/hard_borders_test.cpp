@@ -3,12 +3,15 @@
 #include "ranks/join/boundary_edges.h"
 #include "ranks/join/polygons_around.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <random>
 #include <set>
 #include <span>
 #include <string>
@@ -45,23 +48,29 @@ void expectJoinedAsByOne(const std::vector<grid::Block>& blocks, const std::stri
 		expectJoinedAsByOne(blocks, requestFor(plane), where);
 }
 
-// A block of hexahedra between u0 and u0 + 1 whose points are moved; v0: the same along v.
-grid::Block movedBlock(double u0, const auto& move, double v0 = 0.0)
+// Adds hexahedra between u0 and u0 + 1 whose points are moved; v0: the same along v. The points are the column's own.
+void addColumn(CellListMaker& maker, double u0, double v0, const auto& move)
 {
-	CellListMaker maker;
 	constexpr double step = 1.0 / kSteps;
 	constexpr int n = kSteps + 1;
+	std::vector<std::int64_t> ids;
 	for (int k = 0; k < n; ++k)
 		for (int j = 0; j < n; ++j)
 			for (int i = 0; i < n; ++i)
-				maker.point(move(Vec3(u0 + step * i, v0 + step * j, step * k)));
-	const auto id = [](int i, int j, int k) { return std::int64_t((k * n + j) * n + i); };
+				ids.push_back(maker.point(move(Vec3(u0 + step * i, v0 + step * j, step * k))));
+	const auto id = [&](int i, int j, int k) { return ids[static_cast<std::size_t>((k * n + j) * n + i)]; };
 	for (int k = 0; k < kSteps; ++k)
 		for (int j = 0; j < kSteps; ++j)
 			for (int i = 0; i < kSteps; ++i)
 				maker.cell(grid::kHexahedron,
 				           {id(i, j, k), id(i + 1, j, k), id(i + 1, j + 1, k), id(i, j + 1, k), id(i, j, k + 1),
 				            id(i + 1, j, k + 1), id(i + 1, j + 1, k + 1), id(i, j + 1, k + 1)});
+}
+
+grid::Block movedBlock(double u0, const auto& move, double v0 = 0.0)
+{
+	CellListMaker maker;
+	addColumn(maker, u0, v0, move);
 	return withArrays(maker.block("moved"));
 }
 
@@ -115,6 +124,87 @@ std::vector<grid::Block> fourColumns(const auto& move_third)
 }
 
 } // namespace
+
+// The sheet runs through the edge that two columns share, and through cells of these two alone. Those beside them have
+// faces on both.
+TEST(HardBorders, RanksThatShareAnEdgeAloneAreJoinedByThoseBeside)
+{
+	CellListMaker maker;
+	for (const auto& [u0, v0] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}})
+		addColumn(maker, u0, v0, unmoved);
+	const grid::BlockSet whole = setOfBlocks({withArrays(maker.block("moved"))});
+	for (const Vec3 normal : {Vec3(1.0, -1.0, 0.0), Vec3(-1.0, 1.0, 0.0), Vec3(1.0, 1.0, 0.0), Vec3(-1.0, -1.0, 0.0)})
+	{
+		const cut::CutRequest request = requestFor({{1.0, 1.0, 0.5}, normal});
+		ranks::Ranks one = ranks::Ranks::alone();
+		const Figures expected = figuresOf(one, whole, OneSheet(one, whole, request));
+		EXPECT_EQ(expected.components, 1u);
+		EXPECT_EQ(expected.vertices, std::size_t((2 * kSteps + 1) * (kSteps + 1)));
+		EXPECT_NEAR(expected.area, 2.0 * std::sqrt(2.0), 1e-12);
+		withMany(fourColumns(unmoved), true, 1,
+		         [&](ranks::Ranks& ranks, const grid::BlockSet& own)
+		         {
+			         expectSame(figuresOf(ranks, own, OneSheet(ranks, own, request)), expected,
+			                    fmt::format("{} {}", normal.x, normal.y));
+		         });
+	}
+}
+
+// Cells dealt out at random meet other ranks' in faces, edges and points. The planes run through such edges and points.
+TEST(HardBorders, CellsDealtOutAtRandomAreJoinedAsByOne)
+{
+	constexpr int kCells = 4; // along each axis
+	constexpr int kRanks = 4;
+	constexpr int kTries = 60;
+	std::mt19937 random(7);
+	const auto upTo = [&](int most) { return std::uniform_int_distribution<int>(0, most)(random); };
+	for (int attempt = 0; attempt < kTries; ++attempt)
+	{
+		CellListMaker all;
+		std::array<CellListMaker, kRanks> of_rank;
+		std::array<std::map<std::array<int, 3>, std::array<std::int64_t, 2>>, kRanks> ids; // in `all`, and of the rank
+		for (int cell = 0; cell < kCells * kCells * kCells; ++cell)
+		{
+			const auto rank = static_cast<std::size_t>(cell < kRanks ? cell : upTo(kRanks - 1));
+			std::vector<std::int64_t> in_all, own;
+			for (const auto& [i, j, k] : {std::array{0, 0, 0},
+			                              {1, 0, 0},
+			                              {1, 1, 0},
+			                              {0, 1, 0},
+			                              std::array{0, 0, 1},
+			                              {1, 0, 1},
+			                              {1, 1, 1},
+			                              {0, 1, 1}})
+			{
+				const std::array at{cell % kCells + i, cell / kCells % kCells + j, cell / (kCells * kCells) + k};
+				const Vec3 place = Vec3(at[0], at[1], at[2]) / double(kCells);
+				const auto [known, is_new] = ids[rank].try_emplace(at);
+				if (is_new)
+					known->second = {all.point(place), of_rank[rank].point(place)};
+				in_all.push_back(known->second[0]);
+				own.push_back(known->second[1]);
+			}
+			all.cell(grid::kHexahedron, in_all);
+			of_rank[rank].cell(grid::kHexahedron, own);
+		}
+		const Vec3 normal(upTo(4) - 2, upTo(4) - 2, upTo(2) + 1);
+		const Vec3 origin = Vec3(upTo(kCells), upTo(kCells), upTo(kCells - 2) + 1) / double(kCells);
+		const cut::CutRequest request = requestFor({origin, normal});
+		const grid::BlockSet whole = setOfBlocks({withArrays(all.block("all"))});
+		ranks::Ranks one = ranks::Ranks::alone();
+		const Figures expected = figuresOf(one, whole, OneSheet(one, whole, request));
+		std::vector<grid::Block> blocks;
+		for (CellListMaker& maker : of_rank)
+			blocks.push_back(withArrays(maker.block("part")));
+		withMany(blocks, true, 1,
+		         [&](ranks::Ranks& ranks, const grid::BlockSet& own)
+		         {
+			         expectSame(figuresOf(ranks, own, OneSheet(ranks, own, request)), expected,
+			                    fmt::format("try {}: normal {} {} {} through {} {} {}", attempt, normal.x, normal.y,
+			                                normal.z, origin.x, origin.y, origin.z));
+		         });
+	}
+}
 
 TEST(HardBorders, RimsOfWindowsAreJoined)
 {

@@ -1,16 +1,23 @@
 #include "read/child.h"
 #include "read/protocol.h"
 #include "read/read.h"
+#include "read/reader_process.h"
 #include "read/sandbox.h"
 #include "sample_files.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <array>
 #include <chrono>
+#include <csignal>
 #include <filesystem>
+#include <thread>
 
+#include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 using namespace vp;
@@ -153,6 +160,7 @@ TEST_F(ScriptedReader, GetsItsArgumentsAndNoOtherDescriptors)
 	ReadOptions options;
 	options.time = {TimeChoice::Kind::value, 2.5};
 	options.displace = 0.5;
+	options.displace_by = "my moves";
 	options.solution = "some.q";
 	options.refine = 3;
 	options.patches = true;
@@ -161,21 +169,110 @@ TEST_F(ScriptedReader, GetsItsArgumentsAndNoOtherDescriptors)
 	options.raw.size = {8, 4, 2};
 	options.convert_to = "out.vti";
 	options.convert_folder = "out.new";
+	options.stays_above = 4096;
+	options.unpack = "64 deflate";
 	setFollow({"/data", "anywhere"});
 	const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
 	constexpr int leaked = 50;
 	ASSERT_EQ(dup2(STDERR_FILENO, leaked), leaked);
-	const auto handed =
-	    run("echo \"$1|$2|$3|$4|$5|$6|$7|$8|$9|${10}|${11}|${12}|${13}|${14}|${15}\" >&4; [ -e /proc/$$/fd/50 ] && "
-	        "echo leaked >&4; exit 0",
-	        options);
+	const auto handed = run("echo \"$1|$2|$3|$4|$5|$6|$7|$8|$9|${10}|${11}|${12}|${13}|${14}|${15}|${16}|${17}\" >&4; "
+	                        "[ -e /proc/$$/fd/50 ] && "
+	                        "echo leaked >&4; exit 0",
+	                        options);
 	close(leaked);
 	setFollow({});
 	ASSERT_TRUE(handed) << handed.error().message;
-	EXPECT_EQ(
-	    handed->manifest,
-	    "2.5|some.q|3|0.5|1|1|^\n=p\n=cell:q|raw|8x4x2 uint8 1x1x1 little|out.vti|out.new||auto|/data\nanywhere|" +
-	        input_ + "\n");
+	EXPECT_EQ(handed->manifest, "2.5|some.q|3|0.5 my moves|1|1|^\n=p\n=cell:q|raw|8x4x2 uint8 1x1x1 "
+	                            "little|out.vti|out.new||auto|/data\nanywhere|4096|64 deflate|" +
+	                                input_ + "\n");
+}
+
+TEST_F(ScriptedReader, MayOpenSoManyFiles)
+{
+	const auto handed = run("ulimit -Hn >&4; exit 0");
+	ASSERT_TRUE(handed) << handed.error().message;
+	EXPECT_LE(std::stoul(handed->manifest), 1u << 16) << handed->manifest;
+}
+
+TEST_F(ScriptedReader, AListOfPartsIsNoAnswerForBlocks)
+{
+	const std::string list =
+	    fmt::format(R"({{"version": {}, "times": [], "warnings": [], "left_out": 0, "blocks": [], )"
+	                R"("bytes_read": 0, "wholes": [null], "parts": [{{"cells": 8, "block": 0}}]}})",
+	                kProtocolVersion);
+	ASSERT_TRUE(run("echo '" + list + "' >&4"));
+	const auto set = readInputs({input_}, {}, nullptr);
+	ASSERT_FALSE(set);
+	EXPECT_EQ(set.error().message, input_ + ": truncated or damaged: the reader answered another question");
+	ASSERT_TRUE(listParts({input_}, {}, nullptr));
+}
+
+// A shell in place of the reader, as runReader() starts it.
+class StartedShell
+{
+public:
+	explicit StartedShell(std::string script) : script_(std::move(script))
+	{
+		setup_.program = "/bin/sh";
+		setup_.arguments = arguments_.data();
+		setup_.environment = environ;
+		setup_.null = setup_.requests = null_.get();
+		setup_.errors = setup_.arrays = setup_.cells = null_.get();
+		setup_.manifest = told_.write_end.get();
+		setup_.life = life_.read_end.get();
+		setup_.parent = getpid();
+		setup_.memory = setup_.file_size = setup_.time = {RLIM_INFINITY, RLIM_INFINITY};
+		getrlimit(RLIMIT_NOFILE, &setup_.files);
+	}
+	void start()
+	{
+		process_ = fork();
+		if (process_ == 0)
+			becomeReader(setup_);
+		told_.write_end.reset();
+		life_.read_end.reset();
+	}
+	void closePipe() { life_.write_end.reset(); }
+	// All that it and what it started have written, once all of them have ended.
+	std::string told()
+	{
+		std::string text;
+		std::array<char, 256> buffer;
+		for (ssize_t n; (n = ::read(told_.read_end.get(), buffer.data(), buffer.size())) > 0;)
+			text.append(buffer.data(), static_cast<std::size_t>(n));
+		waitpid(process_, &status, 0);
+		return text;
+	}
+
+	int status = 0; // from waitpid()
+
+private:
+	std::string name_ = "sh", option_ = "-c", script_;
+	Descriptor null_ = lifted(open("/dev/null", O_RDWR | O_CLOEXEC));
+	Pipe told_ = makePipe(), life_ = makePipe();
+	std::array<char*, 4> arguments_{name_.data(), option_.data(), script_.data(), nullptr};
+	ChildSetup setup_ = {};
+	pid_t process_ = -1;
+};
+
+TEST(ReaderProcess, OutlivesTheThreadThatStartedIt)
+{
+	StartedShell shell("sleep 0.3; echo done >&4");
+	std::thread([&] { shell.start(); }).join();
+	EXPECT_EQ(shell.told(), "done\n");
+	EXPECT_EQ(shell.status, 0);
+}
+
+TEST(ReaderProcess, EndsWithAllThatItStartedWhenThePipeCloses)
+{
+	const auto start = std::chrono::steady_clock::now();
+	StartedShell shell("sleep 60 & sleep 60");
+	shell.start();
+	std::this_thread::sleep_for(std::chrono::milliseconds(200));
+	shell.closePipe();
+	EXPECT_EQ(shell.told(), "");
+	EXPECT_TRUE(WIFSIGNALED(shell.status) && WTERMSIG(shell.status) == SIGKILL) << shell.status;
+	EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
 }
 
 TEST(ReaderProgram, ThatIsMissingIsNoInputError)

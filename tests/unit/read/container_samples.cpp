@@ -263,6 +263,21 @@ void writeMpas(const std::string& path)
 	nc_close(file);
 }
 
+// An image in chunks, which may stay in the file.
+void writeVtkHdfImage(const std::string& path)
+{
+	SampleHdf5 file(path);
+	file.group("/VTKHDF");
+	file.attribute("/VTKHDF", "Version", std::vector<double>{1.0, 0.0});
+	file.attribute("/VTKHDF", "Type", "ImageData");
+	file.attribute("/VTKHDF", "WholeExtent", std::vector<double>{0.0, 4.0, 0.0, 3.0, 0.0, 5.0});
+	file.attribute("/VTKHDF", "Origin", std::vector<double>(3, 0.0));
+	file.attribute("/VTKHDF", "Spacing", std::vector<double>(3, 1.0));
+	std::vector<double> values;
+	eachSamplePoint([&](const Vec3& at, int) { values.push_back(sampleValue(at)); });
+	file.set("/VTKHDF/PointData/f", {6, 4, 5}, H5T_NATIVE_DOUBLE, values.data(), {2, 2, 3});
+}
+
 // A folder for each array, with a file for each half of the values.
 void writeZarr(const std::string& path)
 {
@@ -302,6 +317,7 @@ std::vector<SampleFile> containerSamples()
 	return {
 	    {"fields.med", writeMed, "unstructured", kSampleCellCount, kSamplePointCount, true, ""},
 	    {"steps.vtkhdf", writeVtkHdf, "unstructured", kSampleCellCount, kSamplePointCount, true, ""},
+	    {"chunks.vtkhdf", writeVtkHdfImage, "image", kSampleCellCount, kSamplePointCount, false, ""},
 	    {"two.mnc", writeMinc2, "image", kSampleCellCount, kSamplePointCount, false, ""},
 	    {"one.mnc", writeMinc1, "image", kSampleCellCount, kSamplePointCount, false, ""},
 	    {"columns.nc", writeCam, "unstructured", kSampleCellCount, kSamplePointCount, false, ""},

@@ -411,3 +411,16 @@ TEST(Manifest, WithFlippedBytesNeverCrashes)
 	}
 	EXPECT_GT(held, rounds / 200u); // a flipped value is as good as another
 }
+
+TEST(Manifest, OfTooManyLevelsIsRefused)
+{
+	for (const char bracket : {'[', '{'})
+	{
+		std::string deep = R"({"version": )";
+		for (int level = 0; level < 1'000'000; ++level)
+			deep.append(bracket == '[' ? "[" : R"({"a": )");
+		const Result<CheckedInput> checked = Made().check(deep);
+		ASSERT_FALSE(checked);
+		EXPECT_NE(checked.error().message.find("nested too deeply"), std::string::npos) << checked.error().message;
+	}
+}

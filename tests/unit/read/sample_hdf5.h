@@ -21,10 +21,16 @@ public:
 	}
 
 	void group(const std::string& path) { H5Gclose(H5Gcreate2(file_, path.c_str(), links_, H5P_DEFAULT, H5P_DEFAULT)); }
-	void set(const std::string& path, const std::vector<hsize_t>& sides, hid_t type, const void* values)
+	// chunk: the sides of a chunk; none for values in one piece.
+	void set(const std::string& path, const std::vector<hsize_t>& sides, hid_t type, const void* values,
+	         const std::vector<hsize_t>& chunk = {})
 	{
 		const hid_t space = H5Screate_simple(static_cast<int>(sides.size()), sides.data(), nullptr);
-		const hid_t made = H5Dcreate2(file_, path.c_str(), type, space, links_, H5P_DEFAULT, H5P_DEFAULT);
+		const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+		if (!chunk.empty())
+			H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data());
+		const hid_t made = H5Dcreate2(file_, path.c_str(), type, space, links_, properties, H5P_DEFAULT);
+		H5Pclose(properties);
 		H5Dwrite(made, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values);
 		H5Dclose(made);
 		H5Sclose(space);

@@ -37,4 +37,13 @@ TEST(Series, IsOneInput)
 		EXPECT_FALSE(parseSeries(other)) << other;
 }
 
+TEST(Series, StackIsOneInput)
+{
+	const std::vector<std::string> files{"a 1.tif", "b:\n2.tif", "stack:3.tif"};
+	EXPECT_EQ(read::parseStack(read::stackInput(files)), files);
+	EXPECT_FALSE(parseSeries(read::stackInput(files)));
+	for (const char* other : {"", "a.vti", "stack:", "stack:a.vti", "demo:shell"})
+		EXPECT_TRUE(read::parseStack(other).empty()) << other;
+}
+
 } // namespace vp::test

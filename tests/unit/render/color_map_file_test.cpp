@@ -212,4 +212,12 @@ TEST(ColorMapFile, WhatDoesNotServeIsToldInOneLine)
 	}
 }
 
+// As deep as the memory reaches, they would fill the stack.
+TEST(ColorMapFile, NestedListsAreNone)
+{
+	const std::string open(2'000'000, '['), closed(2'000'000, ']');
+	for (const std::string& text : {open, open + closed, "{\"RGBPoints\":" + open + closed + "}"})
+		EXPECT_FALSE(parseColorMap(text, "map.json"));
+}
+
 } // namespace vp::render

@@ -133,6 +133,63 @@ TEST(Layout, CategoriesFitOrAreToldInANumber)
 		}
 }
 
+// A pointed end says that there are values beyond it.
+TEST(Layout, EndsArePointedWhereValuesLieBeyond)
+{
+	const auto endsOf =
+	    [](std::optional<std::pair<double, double>> range, std::optional<std::pair<double, double>> reach)
+	{
+		Scene scene = sceneOf({640, 480}, "s", -1.0, 2.0, false);
+		scene.look.range = range;
+		scene.values->reach = reach;
+		const ValueStyle style = legendContents(scene).front().style;
+		return std::pair(style.below, style.above);
+	};
+	EXPECT_EQ(endsOf({}, std::pair(-1.0, 2.0)), std::pair(false, false));
+	EXPECT_EQ(endsOf({}, std::pair(-1.0, 3.0)), std::pair(false, true)); // a window of a scan
+	EXPECT_EQ(endsOf(std::pair(0.0, 5.0), std::pair(-1.0, 2.0)), std::pair(true, false));
+	EXPECT_EQ(endsOf(std::pair(-1.0, 2.0), std::pair(-1.0, 2.0)), std::pair(false, false));
+	EXPECT_EQ(endsOf(std::pair(0.0, 5.0), {}), std::pair(true, true));
+}
+
+// The labels of a legend are a line apart, and the ends have theirs.
+TEST(Layout, LegendsNameTheirEnds)
+{
+	for (const Size size : kSizes)
+		for (const double hi : {1.2345, 98765.4e3})
+			for (const int lines : {0, 12})
+			{
+				Scene scene = sceneOf(size, "s", 0.1234 * hi, hi, false);
+				scene.look.lines = lines;
+				const Layout layout = makeLayout(scene);
+				ASSERT_EQ(layout.legends.size(), 1u);
+				const ValueStyle style = legendContents(scene).front().style;
+				const auto& marks = layout.legends[0].ticks.marks;
+				ASSERT_GE(marks.size(), 2u);
+				EXPECT_EQ(marks.front().value, style.lo);
+				EXPECT_EQ(marks.back().value, style.hi);
+				for (std::size_t i = 1; i < marks.size(); ++i)
+					EXPECT_GE((style.part(marks[i].value) - style.part(marks[i - 1].value)) *
+					              layout.legends[0].bar.size().y,
+					          layout.em)
+					    << size.width << "x" << size.height;
+			}
+}
+
+TEST(Layout, TextHasTheSizeThatIsAskedFor)
+{
+	Scene scene = sceneOf({640, 480}, "s", 0.0, 1.0, false);
+	scene.look.text_size = 12.0; // 9 points
+	const Layout layout = makeLayout(scene);
+	EXPECT_NEAR(layout.em, 12.0 * 2384.0 / 2048.0, 1e-9); // the em of DejaVu Sans is 2048 of its units
+	EXPECT_NEAR(layout.title_em / layout.em, 1.3, 1e-9);
+	EXPECT_EQ(*parseTextSize("9pt"), 12.0);
+	EXPECT_EQ(*parseTextSize("14"), 14.0);
+	EXPECT_EQ(*parseTextSize("14px"), 14.0);
+	for (const char* wrong : {"", "pt", "9mm", "1", "1000", "-3", "12 pt"})
+		EXPECT_FALSE(parseTextSize(wrong)) << wrong;
+}
+
 TEST(Layout, SheetsOfOtherLooksHaveLegendsOfTheirOwn)
 {
 	for (const Size size : kSizes)

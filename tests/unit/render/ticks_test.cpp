@@ -175,4 +175,34 @@ TEST(ShortNumber, ReadsWell)
 	EXPECT_EQ(shortNumber(-1.5e-9), "\u22121.5×10⁻⁹");
 }
 
+namespace
+{
+
+Words withEnds(double lo, double hi, int most, double apart = 0.1)
+{
+	Ticks ticks = makeTicks(lo, hi, most);
+	addEnds(ticks, lo, hi, apart, false);
+	return labels(ticks);
+}
+
+} // namespace
+
+// By hand: of 4.512 a tenth is 0.451, so 0.5 and 4.5 are too near to the ends. A thousandth is 0.0045.
+TEST(Ticks, EndsHaveLabels)
+{
+	EXPECT_EQ(withEnds(0.197813, 4.71, 10), (Words{"0.198", "1.0", "1.5", "2.0", "2.5", "3.0", "3.5", "4.0", "4.71"}));
+	EXPECT_EQ(withEnds(0.0, 1.0, 6), (Words{"0.0", "0.2", "0.4", "0.6", "0.8", "1.0"}));
+	EXPECT_EQ(withEnds(-1e-17, 5.0, 6), (Words{"0", "1", "2", "3", "4", "5"}));
+	EXPECT_EQ(withEnds(3.0, 3.0, 6), (Words{"3"}));
+	EXPECT_EQ(withEnds(1.234e6, 5.678e6, 3), (Words{"1.234", "2", "4", "5.678"})); // times a power of ten
+	EXPECT_EQ(withEnds(-12.34, 56.78, 2, 0.4), (Words{"\u221212.34", "56.78"}));
+}
+
+TEST(Ticks, EndsOfLogarithmsHaveLabels)
+{
+	Ticks ticks = makeLogTicks(0.03, 2000.0, 9);
+	addEnds(ticks, 0.03, 2000.0, 0.1, true);
+	EXPECT_EQ(labels(ticks), (Words{"0.03", "0.1", "1", "10", "100", "2000"}));
+}
+
 } // namespace vp::render

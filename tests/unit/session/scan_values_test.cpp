@@ -60,7 +60,7 @@ TEST(ScanValues, AllButTheOuterHalfPercent)
 
 TEST(ScanValues, TheWindowOfTheFileComesFirst)
 {
-	EXPECT_EQ(windowOf(sessionOf(upTo999<float>(), "ct", {"LPS", true, std::pair{-160.0, 240.0}})),
+	EXPECT_EQ(windowOf(sessionOf(upTo999<float>(), "ct", {"LPS", true, false, std::pair{-160.0, 240.0}})),
 	          (Ends{{-160.0, 240.0}}));
 }
 

@@ -14,7 +14,8 @@
 namespace trace
 {
 
-// Holds a trace against the Trace Event Format: "complete" events and metadata are all that a file may have here.
+// Holds a trace against the Trace Event Format: "complete" events, counters, flows and metadata are all that a file may
+// have here.
 struct Event
 {
 	std::string name;
@@ -22,10 +23,30 @@ struct Event
 	std::int64_t begin; // ns
 	std::int64_t end;
 	std::uint64_t cells;
+	int frame; // or -1
+};
+
+// A value of a counter.
+struct Count
+{
+	std::int64_t at; // ns
+	std::uint64_t value;
+};
+
+// A point of a flow.
+struct FlowPoint
+{
+	char phase; // s, t or f
+	std::int64_t at;
+	std::string row;   // the name of its row
+	std::string event; // the innermost event around it
 };
 
 struct Rows
 {
+	std::map<std::string, std::vector<Count>> counters;
+	std::map<int, std::vector<FlowPoint>> flows; // by their numbers, in the order of time
+	std::map<std::string, std::string> about;    // otherData
 	std::map<int, std::string> names;
 	std::map<int, std::vector<Event>> events; // events of each row, by their beginnings, outer ones first
 
@@ -39,15 +60,46 @@ struct Rows
 	}
 };
 
+inline std::int64_t nanoseconds(const nlohmann::json& us)
+{
+	return std::llround(us.get<double>() * 1000.0);
+}
+
 inline void takeMetadata(const nlohmann::json& event, Rows& rows, int& processes)
 {
 	ASSERT_TRUE(event.contains("args") && event["args"].is_object()) << event;
+	if (event["name"] == "thread_sort_index")
+	{
+		EXPECT_TRUE(event["args"]["sort_index"].is_number_integer()) << event;
+		return;
+	}
 	ASSERT_TRUE(event["args"].contains("name") && event["args"]["name"].is_string()) << event;
 	ASSERT_TRUE(event["name"] == "process_name" || event["name"] == "thread_name") << event;
 	if (event["name"] == "process_name")
 		++processes;
 	else
 		EXPECT_TRUE(rows.names.emplace(event["tid"], event["args"]["name"]).second) << "named twice: " << event;
+}
+
+inline void takeCounter(const nlohmann::json& event, Rows& rows)
+{
+	ASSERT_TRUE(event.contains("ts") && event["ts"].is_number() && event["ts"] >= 0.0) << event;
+	ASSERT_TRUE(event.contains("args") && event["args"].size() == 1) << event;
+	const nlohmann::json& value = *event["args"].begin();
+	ASSERT_TRUE(value.is_number_unsigned()) << event;
+	rows.counters[event["name"]].push_back({nanoseconds(event["ts"]), value});
+}
+
+// Its row and event are known later.
+inline void takeFlowPoint(const nlohmann::json& event, Rows& rows, std::map<int, std::vector<int>>& rows_of_flows)
+{
+	for (const char* number : {"ts", "id"})
+		ASSERT_TRUE(event.contains(number) && event[number].is_number()) << event;
+	ASSERT_TRUE(event.contains("cat") && event["cat"] == "flow") << event;
+	// Without it, the end of a flow belongs to the next event.
+	EXPECT_EQ(event.value("bp", ""), event["ph"] == "f" ? "e" : "") << event;
+	rows.flows[event["id"]].push_back({event["ph"].get<std::string>()[0], nanoseconds(event["ts"]), {}, {}});
+	rows_of_flows[event["id"]].push_back(event["tid"]);
 }
 
 inline void takeComplete(const nlohmann::json& event, Rows& rows)
@@ -59,16 +111,16 @@ inline void takeComplete(const nlohmann::json& event, Rows& rows)
 	}
 	ASSERT_TRUE(event.contains("cat") && event["cat"].is_string()) << event;
 	std::uint64_t cells = 0;
+	int frame = -1;
 	if (event.contains("args"))
 	{
 		ASSERT_TRUE(event["args"].is_object()) << event;
 		cells = event["args"].value("cells", 0u);
+		frame = event["args"].value("frame", -1);
 	}
-	const double ts = event["ts"];
-	const double dur = event["dur"];
-	const std::int64_t begin = std::llround(ts * 1000.0);
+	const std::int64_t begin = nanoseconds(event["ts"]);
 	rows.events[event["tid"]].push_back(
-	    {event["name"], event["cat"], begin, begin + std::llround(dur * 1000.0), cells});
+	    {event["name"], event["cat"], begin, begin + nanoseconds(event["dur"]), cells, frame});
 }
 
 inline void expectNested(const std::string& row, std::vector<Event>& events)
@@ -89,6 +141,30 @@ inline void expectNested(const std::string& row, std::vector<Event>& events)
 	}
 }
 
+// Expects that each flow begins once, ends once, and has each of its points in an event.
+inline void expectFlows(Rows& rows, const std::map<int, std::vector<int>>& rows_of_flows)
+{
+	for (auto& [flow, points] : rows.flows)
+	{
+		for (std::size_t p = 0; p < points.size(); ++p)
+		{
+			const int row = rows_of_flows.at(flow)[p];
+			points[p].row = rows.names[row];
+			for (const Event& event : rows.events[row]) // outer ones first
+				if (event.begin <= points[p].at && points[p].at <= event.end && event.name != "other")
+					points[p].event = event.name;
+			EXPECT_NE(points[p].event, "") << "flow " << flow << " has a point in no event of " << points[p].row;
+		}
+		std::ranges::stable_sort(points, {}, &FlowPoint::at);
+		std::string phases;
+		for (const FlowPoint& point : points)
+			phases += point.phase;
+		EXPECT_TRUE(phases.size() >= 2 && phases.front() == 's' && phases.back() == 'f' &&
+		            std::ranges::count(phases, 's') == 1 && std::ranges::count(phases, 'f') == 1)
+		    << "flow " << flow << ": " << phases;
+	}
+}
+
 // Fails the test where something is against the format; gives what is there.
 inline Rows check(const std::string& text)
 {
@@ -103,6 +179,7 @@ inline Rows check(const std::string& text)
 	EXPECT_TRUE(!document.contains("displayTimeUnit") || document["displayTimeUnit"] == "ms" ||
 	            document["displayTimeUnit"] == "ns");
 	int processes = 0;
+	std::map<int, std::vector<int>> rows_of_flows;
 	for (const nlohmann::json& event : document["traceEvents"])
 	{
 		const bool is_event = event.is_object() && event.contains("name") && event["name"].is_string() &&
@@ -111,10 +188,15 @@ inline Rows check(const std::string& text)
 		EXPECT_TRUE(is_event) << event;
 		if (!is_event)
 			return rows;
-		if (event.value("ph", "") == "M")
+		const std::string phase = event.value("ph", "");
+		if (phase == "M")
 			takeMetadata(event, rows, processes);
-		else if (event.value("ph", "") == "X")
+		else if (phase == "X")
 			takeComplete(event, rows);
+		else if (phase == "C")
+			takeCounter(event, rows);
+		else if (phase == "s" || phase == "t" || phase == "f")
+			takeFlowPoint(event, rows, rows_of_flows);
 		else
 			ADD_FAILURE() << "a phase that is not written: " << event;
 	}
@@ -124,6 +206,9 @@ inline Rows check(const std::string& text)
 		EXPECT_TRUE(rows.names.contains(row)) << "row " << row << " has no name";
 		expectNested(rows.names[row], events);
 	}
+	expectFlows(rows, rows_of_flows);
+	if (document.contains("otherData"))
+		rows.about = document["otherData"].get<std::map<std::string, std::string>>();
 	return rows;
 }
 

@@ -63,6 +63,25 @@ TEST_F(StateFile, AnUntouchedSpecRoundTrips)
 	EXPECT_EQ(read, spec);
 }
 
+// JSON holds no other encoding: such a name would come back as that of another file.
+TEST_F(StateFile, NamesThatAreNotUtf8AreRefused)
+{
+	view::ViewSpec spec;
+	spec.input.files = {path("a\xE4.vtu")};
+	const Status saved = view::saveState(spec, path("a.json"));
+	ASSERT_FALSE(saved);
+	EXPECT_EQ(saved.error().kind, ErrorKind::output);
+	EXPECT_EQ(saved.error().message, path("a.json") +
+	                                     ": cannot keep /input/files, which is not UTF-8; rename the file, or "
+	                                     "write the text in UTF-8");
+	EXPECT_FALSE(std::filesystem::exists(path("a.json")));
+	spec.input.files = {path("a\xC3\xA4.vtu")};
+	ASSERT_TRUE(view::saveState(spec, path("a.json")));
+	view::ViewSpec read;
+	ASSERT_TRUE(view::loadState(read, path("a.json")));
+	EXPECT_EQ(read.input.files, spec.input.files);
+}
+
 TEST_F(StateFile, AColorMapsFileIsRelativeToo)
 {
 	view::ViewSpec spec;
@@ -123,6 +142,7 @@ view::ViewSpec anySpec(std::mt19937_64& random)
 	look.color_by = coin() ? view::ColorBy::generation : view::ColorBy::array;
 	look.range = std::pair{number(), number()};
 	look.range_of = view::RangeOf::slice;
+	look.opacity_points = {share(), share(), share(), share()};
 	look.opacity = share();
 	look.background = *render::parseBackground(coin() ? "#0a2b3c" : "transparent");
 	look.camera = coin() ? render::fixedCamera({.position = vector(), .focal_point = vector(), .up = vector()})

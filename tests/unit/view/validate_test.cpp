@@ -47,6 +47,9 @@ TEST(Validate, NumbersHaveLimits)
 	refused("`frames` 0", [](ViewSpec& s) { s.sweep.frames = 0; });
 	refused("`fps` 0", [](ViewSpec& s) { s.sweep.frames_per_second = 0.0; });
 	refused("`contour_depth` -1", [](ViewSpec& s) { s.look.contour.depth = -1.0; });
+	refused("`opacity_points` 1.5", [](ViewSpec& s) { s.look.opacity_points = {0.0, 0.0, 1.5, 1.0}; });
+	refused("`opacity_points`: 3 numbers", [](ViewSpec& s) { s.look.opacity_points = {0.0, 0.0, 1.0}; });
+	refused("`opacity_points`: the place 0.7", [](ViewSpec& s) { s.look.opacity_points = {0.7, 0.0, 0.2, 1.0}; });
 	refused("`threads` -1", [](ViewSpec& s) { s.machine.threads = -1; });
 }
 

@@ -58,7 +58,7 @@ TEST_F(SliceSets, CollectionHoldsAFileAFrame)
 	Result<write::SliceSeries> series = write::SliceSeries::create(folder_ / "out.pvd");
 	ASSERT_TRUE(series);
 	for (const int frame : {0, 1, 10000})
-		ASSERT_TRUE(series->add(frame, write::tabulate(sample_.blocks, sample_.meshes)));
+		ASSERT_TRUE(series->add(frame, std::nullopt, write::tabulate(sample_.blocks, sample_.meshes)));
 	EXPECT_FALSE(std::filesystem::exists(folder_ / "out.pvd"));
 	EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
 	ASSERT_TRUE(series->commit());
@@ -87,7 +87,7 @@ TEST_F(SliceSets, WithoutCommitNothingIsLeft)
 	{
 		Result<write::SliceSeries> series = write::SliceSeries::create(folder_ / "out.pvd");
 		ASSERT_TRUE(series);
-		ASSERT_TRUE(series->add(0, write::tabulate(sample_.blocks, sample_.meshes)));
+		ASSERT_TRUE(series->add(0, std::nullopt, write::tabulate(sample_.blocks, sample_.meshes)));
 	}
 	EXPECT_EQ(folder_.files(), 0u);
 }
@@ -101,8 +101,8 @@ TEST_F(SliceSets, AFailureAtTheEndIsUndone)
 	const Status committed = [&]
 	{
 		write::SliceSeries series = std::move(write::SliceSeries::create(folder_ / "out.pvd").value());
-		EXPECT_TRUE(series.add(0, write::tabulate(sample_.blocks, sample_.meshes)));
-		EXPECT_TRUE(series.add(1, write::tabulate(sample_.blocks, sample_.meshes)));
+		EXPECT_TRUE(series.add(0, std::nullopt, write::tabulate(sample_.blocks, sample_.meshes)));
+		EXPECT_TRUE(series.add(1, std::nullopt, write::tabulate(sample_.blocks, sample_.meshes)));
 		return series.commit();
 	}();
 	ASSERT_FALSE(committed);

@@ -21,12 +21,14 @@ protected:
 	~TraceFile() override { std::filesystem::remove(path_); }
 
 	// Returns the contents of the file, which are checked against the format.
-	trace::Rows written(std::vector<std::vector<Timeline::Section>> batches)
+	trace::Rows written(std::vector<std::vector<Timeline::Section>> batches,
+	                    const std::vector<Timeline::Mark>& marks = {})
 	{
 		Result<write::TraceFile> file = write::TraceFile::create(path_);
 		EXPECT_TRUE(file);
+		file->describe("command_line", "render \"a\\b\" \xff");
 		for (auto& batch : batches)
-			file->add(std::move(batch));
+			file->add(std::move(batch), &batch == &batches.front() ? marks : std::vector<Timeline::Mark>());
 		EXPECT_TRUE(file->commit());
 		std::ostringstream text;
 		text << std::ifstream(path_).rdbuf();
@@ -135,6 +137,46 @@ TEST_F(TraceFile, RealSectionsOfSeveralThreads)
 			if (event.name == "frame")
 				trace::expectWhole(events, event);
 	}
+}
+
+TEST_F(TraceFile, CountersFlowsFramesAndWhatItIsOf)
+{
+	using Kind = Timeline::Mark::Kind;
+	const std::uint32_t cutter = addRow("cutter");
+	const std::uint32_t painter = addRow("painter \"2\"");
+	std::vector<Timeline::Section> sections{section("seed", 1.2, 1.8, cutter, 1), section("cut", 1.0, 2.0, cutter),
+	                                        section("render", 3.0, 4.0, painter)};
+	sections[1].frame = sections[2].frame = 7;
+	const trace::Rows rows = written({sections}, {{Kind::flow_begin, "frame", 1.1, 7, cutter},
+	                                              {Kind::counter, "front", 1.3, 41},
+	                                              {Kind::counter, "front", 1.4, 0},
+	                                              {Kind::flow_end, "frame", 3.5, 7, painter}});
+	EXPECT_EQ(rows.named("cutter").at(0).frame, 7);
+	EXPECT_EQ(rows.named("cutter").at(2).name, "seed"); // behind the rest before it
+	EXPECT_EQ(rows.named("cutter").at(2).frame, -1);
+	EXPECT_EQ(rows.named("painter \"2\"").at(0).frame, 7);
+	ASSERT_EQ(rows.flows.size(), 1u);
+	const std::vector<trace::FlowPoint>& flow = rows.flows.at(7);
+	ASSERT_EQ(flow.size(), 2u);
+	EXPECT_EQ(flow[0].event, "cut");
+	EXPECT_EQ(flow[1].event, "render");
+	EXPECT_EQ(flow[1].row, "painter \"2\"");
+	ASSERT_EQ(rows.counters.at("front").size(), 2u);
+	EXPECT_EQ(rows.counters.at("front")[0].at, 1'300'000);
+	EXPECT_EQ(rows.counters.at("front")[0].value, 41u);
+	EXPECT_EQ(rows.counters.at("front")[1].value, 0u);
+	EXPECT_EQ(rows.about.at("command_line"), "render \"a\\b\" \uFFFD");
+}
+
+TEST_F(TraceFile, WorkersAndPipelinesHaveCategoriesOfTheirOwn)
+{
+	std::vector<Timeline::Section> sections{section("traverse", 1.0, 2.0, addRow("worker")),
+	                                        section("pipeline layer", 1.0, 2.0, addRow("device"))};
+	sections[0].track = Timeline::Track::worker;
+	sections[1].track = Timeline::Track::setup;
+	const trace::Rows rows = written({sections});
+	EXPECT_EQ(rows.named("worker").at(0).category, "worker");
+	EXPECT_EQ(rows.named("device").at(0).category, "setup");
 }
 
 TEST_F(TraceFile, PlaceThatCannotBeIsTold)

@@ -200,6 +200,7 @@ void addLsdynaNodes(const LsdynaControl& control, const LsdynaState& state, vtkU
 				    i, c, moved->GetComponent(i, c) - grid->GetPoints()->GetData()->GetComponent(i, c));
 		grid->SetPoints(lsdynaPoints(moved));
 		grid->GetPointData()->AddArray(displacement);
+		manifest.displacement().areInCoordinates();
 		at += 3 * nodes;
 	}
 	const bool has_flux = control.temperatureWords() > 1;

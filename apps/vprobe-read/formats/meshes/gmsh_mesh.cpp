@@ -136,8 +136,15 @@ private:
 	void addNode(Tag tag, double x, double y, double z)
 	{
 		const auto point = static_cast<Tag>(mesh_.coordinates.size() / 3);
-		if (!mesh_.point_of_tag.emplace(tag, point).second)
-			throw damaged(fmt::format("node {} occurs twice", tag));
+		const auto [known, is_new] = mesh_.point_of_tag.emplace(tag, point);
+		if (!is_new)
+		{
+			// Some programs list a node with each of its entities.
+			const double* first = &mesh_.coordinates[3 * static_cast<std::size_t>(known->second)];
+			if (first[0] != x || first[1] != y || first[2] != z)
+				throw damaged(fmt::format("node {} occurs twice, at different places", tag));
+			return;
+		}
 		mesh_.coordinates.insert(mesh_.coordinates.end(), {x, y, z});
 	}
 

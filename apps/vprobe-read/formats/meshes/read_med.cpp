@@ -278,7 +278,7 @@ vtkSmartPointer<vtkDoubleArray> medArray(const Hdf5File& file, const std::string
 	array->SetNumberOfComponents(static_cast<int>(components));
 	array->SetNumberOfTuples(tuples);
 	array->Fill(std::numeric_limits<double>::quiet_NaN());
-	std::string units = file.textOr("/CHA/" + field, "UNI").substr(0, 16); // of the first component
+	std::string units = file.textOr("/CHA/" + field, "UNI").substr(0, 16); // the first component has them
 	units.erase(units.find_last_not_of(' ') + 1);
 	if (!units.empty())
 		array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), units.c_str());
@@ -295,6 +295,8 @@ void addMedField(const Hdf5File& file, const std::string& field, const std::stri
 		fillMed(file, field, group + "NOE", array, 0, mesh.nodes, manifest);
 		mesh.grid->GetPointData()->AddArray(array);
 	}
+	if (std::ranges::any_of(mesh.cells, [&](const MedCells& cells) { return file.has(group + "NOE." + cells.kind); }))
+		manifest.warn(fmt::format("{} has values at the nodes of each cell, which are left out", field));
 	vtkSmartPointer<vtkDoubleArray> of_cells;
 	for (const MedCells& cells : mesh.cells)
 		if (const std::string part = group + "MAI." + cells.kind; file.has(part))

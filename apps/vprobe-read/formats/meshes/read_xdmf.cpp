@@ -272,6 +272,23 @@ private:
 		return grid;
 	}
 
+	// Values of a lattice with straight axes may stay in their file.
+	vtkSmartPointer<vtkDataArray> storedValues(const XmlElement& item, vtkDataSet* data, bool at_points,
+	                                           const std::string& name) const
+	{
+		std::array<int, 3> points;
+		if (auto* image = vtkImageData::SafeDownCast(data))
+			image->GetDimensions(points.data());
+		else if (auto* grid = vtkRectilinearGrid::SafeDownCast(data))
+			grid->GetDimensions(points.data());
+		else
+			return nullptr;
+		std::array<std::uint32_t, 3> items;
+		for (std::size_t axis = 0; axis < 3; ++axis)
+			items[axis] = static_cast<std::uint32_t>(points[axis] - (at_points ? 0 : 1));
+		return document_.storedValues(item, items, name, request_);
+	}
+
 	void addAttributes(const XmlElement& grid, vtkDataSet* data) const
 	{
 		for (const XmlElement* attribute : document_.children(grid, "Attribute"))
@@ -288,7 +305,13 @@ private:
 			if (!at_points)
 				arrays = data->GetCellData();
 			const std::string name = ownName(arrays, given.empty() ? "array" : given, manifest_);
-			const XdmfValues values = document_.values(itemOf(*attribute, 0));
+			const XmlElement& item = itemOf(*attribute, 0);
+			if (const auto stored = storedValues(item, data, at_points, name))
+			{
+				arrays->AddArray(stored);
+				continue;
+			}
+			const XdmfValues values = document_.values(item);
 			const auto tuples =
 			    static_cast<std::uint64_t>(at_points ? data->GetNumberOfPoints() : data->GetNumberOfCells());
 			if (tuples == 0 || values.count() % tuples != 0 || values.count() / tuples > 64)

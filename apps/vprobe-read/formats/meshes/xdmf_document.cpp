@@ -5,6 +5,7 @@
 #include "vprobe-read/base/mapped_text.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/hdf5/hdf5_parts.h"
+#include "vprobe-read/hdf5/hdf5_stored.h"
 #include "vprobe-read/text/text_cursor.h"
 
 #include <vtkDataArray.h>
@@ -25,8 +26,8 @@ namespace
 
 namespace fs = std::filesystem;
 
-constexpr int kMaxReferences = 8;
 constexpr std::uint64_t kMaxValues = std::uint64_t(1) << 40;
+constexpr std::uint64_t kMaxComponents = 64;
 
 std::string_view trimmed(std::string_view text)
 {
@@ -102,39 +103,6 @@ std::string hdf5Bytes(const std::string& file, const std::string& path, std::uin
 	return bytes;
 }
 
-// "Name[3]" or "Name[@Name="x"]" of a path.
-bool suits(const XmlElement& element, std::string_view step, int& skip)
-{
-	const auto bracket = step.find('[');
-	if (element.name != step.substr(0, bracket))
-		return false;
-	if (bracket == step.npos)
-		return true;
-	const std::string_view inside = step.substr(bracket + 1, step.size() - bracket - 2);
-	const auto quote = inside.find_first_of("\"'");
-	if (inside.starts_with("@Name") && quote != inside.npos)
-		return element.attribute("Name") == inside.substr(quote + 1, inside.size() - quote - 2);
-	return --skip == 0;
-}
-
-// Writers choose the prefix of the namespace.
-bool isInclude(const XmlElement& element)
-{
-	return element.name == "include" || element.name.ends_with(":include");
-}
-
-const XmlElement* gridNamed(const XmlElement& from, std::string_view name)
-{
-	for (const XmlElement& child : from.children)
-	{
-		if (child.name == "Grid" && child.attribute("Name") == name)
-			return &child;
-		if (const XmlElement* found = gridNamed(child, name))
-			return found;
-	}
-	return nullptr;
-}
-
 } // namespace
 
 std::uint64_t XdmfValues::count() const
@@ -179,157 +147,88 @@ std::string_view XdmfDocument::contents(const XmlElement& element) const
 	return trimmed(element.text);
 }
 
-const XmlElement* XdmfDocument::atPath(std::string_view path) const
+// The attributes of a DataItem.
+struct XdmfDocument::Item
 {
-	const XmlElement* at = nullptr;
-	while (!path.empty())
-	{
-		path.remove_prefix(1); // the slash
-		std::size_t end = 0;
-		bool quoted = false;
-		for (; end < path.size() && (quoted || path[end] != '/'); ++end)
-			quoted ^= path[end] == '"' || path[end] == '\'';
-		const std::string_view step = path.substr(0, end);
-		path.remove_prefix(end);
-		const auto bracket = step.find('[');
-		int skip = bracket == step.npos ? 1 : std::max(1, std::atoi(std::string(step.substr(bracket + 1)).c_str()));
-		if (!at)
-		{
-			if (!suits(xml_.root, step, skip))
-				return nullptr;
-			at = &xml_.root;
-			continue;
-		}
-		const auto found =
-		    std::ranges::find_if(at->children, [&](const XmlElement& e) { return suits(e, step, skip); });
-		if (found == at->children.end())
-			return nullptr;
-		at = &*found;
-	}
-	return at;
-}
-
-const XmlElement& XdmfDocument::resolved(const XmlElement& element) const
-{
-	const XmlElement* at = &element;
-	for (int i = 0; i < kMaxReferences; ++i)
-	{
-		const std::string_view reference = at->attribute("Reference");
-		if (reference.empty())
-			return *at;
-		const std::string_view path = reference == "XML" ? contents(*at) : reference;
-		const XmlElement* next = path.starts_with('/') ? atPath(path) : nullptr;
-		if (!next)
-			throw Refusal(fmt::format("the reference {} leads nowhere", path.substr(0, 80)));
-		at = next;
-	}
-	throw damaged("its references lead in a circle");
-}
-
-// As dolfin and meshio write: xpointer(//Grid[@Name="mesh"]/Grid[1]/*[self::Topology or self::Geometry]).
-const XmlElement* XdmfDocument::includedGrid(const XmlElement& include) const
-{
-	const std::string_view pointer = include.attribute("xpointer");
-	constexpr std::string_view start = "//Grid[@Name=";
-	const auto at = pointer.find(start);
-	const auto quote = at == pointer.npos ? at : at + start.size();
-	const auto end = quote >= pointer.size() ? pointer.npos : pointer.find(pointer[quote], quote + 1);
-	if (end == pointer.npos)
-		throw Refusal(fmt::format("the reference {} is not understood", pointer.substr(0, 80)));
-	const XmlElement* grid = gridNamed(xml_.root, pointer.substr(quote + 1, end - quote - 1));
-	if (const auto inner = pointer.find("]/Grid", end); grid && inner != pointer.npos)
-		grid = child(*grid, "Grid");
-	return grid;
-}
-
-void XdmfDocument::collectTakenOver(const XmlElement& from)
-{
-	for (const XmlElement& element : from.children)
-		if (!isInclude(element))
-			collectTakenOver(element);
-		else if (const XmlElement* grid = includedGrid(element))
-			taken_over_.insert(grid);
-}
-
-bool XdmfDocument::isTakenOver(const XmlElement& grid) const
-{
-	return taken_over_.contains(&grid);
-}
-
-std::vector<const XmlElement*> XdmfDocument::children(const XmlElement& of, std::string_view name) const
-{
-	std::vector<const XmlElement*> found;
-	for (const XmlElement& element : of.children)
-	{
-		if (element.name == name)
-			found.push_back(&resolved(element));
-		else if (isInclude(element) && element.attribute("xpointer").find(name) != std::string_view::npos &&
-		         name != "Grid")
-			if (const XmlElement* grid = includedGrid(element); grid && grid != &of)
-				for (const XmlElement& taken : grid->children)
-					if (taken.name == name)
-						found.push_back(&resolved(taken));
-	}
-	return found;
-}
-
-const XmlElement* XdmfDocument::child(const XmlElement& of, std::string_view name) const
-{
-	const auto found = children(of, name);
-	return found.empty() ? nullptr : found.front();
-}
-
-XdmfValues XdmfDocument::values(const XmlElement& given) const
-{
-	const XmlElement& item = resolved(given);
-	if (const auto kind = item.attribute("ItemType"); !kind.empty() && kind != "Uniform")
-		throw Refusal(fmt::format("a DataItem of type {}, which is not read", kind.substr(0, 20)));
-	XdmfValues values;
+	std::vector<std::uint64_t> sides;
 	std::uint64_t count = 1;
-	for (const double side : xdmfNumbers(item.attribute("Dimensions")))
-	{
-		if (!(side >= 0.0) || side > 1e12 || (count *= static_cast<std::uint64_t>(side)) > kMaxValues)
-			throw damaged("a DataItem of impossible Dimensions");
-		values.sides.push_back(static_cast<std::uint64_t>(side));
-	}
-	if (values.sides.empty())
-		throw damaged("a DataItem without Dimensions");
-	const auto given_type =
-	    item.attribute("NumberType").empty() ? item.attribute("DataType") : item.attribute("NumberType");
-	const ValueLayout layout = flat(count, typeOf(given_type, item.attribute("Precision")));
-	const std::string_view format = item.attribute("Format");
-	const std::string_view text = contents(item);
-	if (format == "HDF")
+	std::string_view number_type;
+	NumberType type;
+	std::string_view format;
+	std::string_view text; // the values, or where they are
+	std::uint64_t seek = 0;
+	bool is_big_endian = false;
+
+	// Returns the file and the data set in it, for HDF5.
+	std::pair<std::string, std::string> fileAndSet() const
 	{
 		const auto colon = text.rfind(':');
 		if (colon == text.npos)
 			throw damaged("a DataItem that names no data set in a file");
-		const std::string file(trimmed(text.substr(0, colon)));
-		values.array = arrayOf(hdf5Bytes((fs::path(file_).parent_path() / file).string(),
-		                                 std::string(trimmed(text.substr(colon + 1))), count, layout.type),
-		                       layout, "");
+		return {std::string(trimmed(text.substr(0, colon))), std::string(trimmed(text.substr(colon + 1)))};
 	}
-	else if (format == "Binary")
+};
+
+XdmfDocument::Item XdmfDocument::itemOf(const XmlElement& given) const
+{
+	const XmlElement& element = resolved(given);
+	if (const auto kind = element.attribute("ItemType"); !kind.empty() && kind != "Uniform")
+		throw Refusal(fmt::format("a DataItem of type {}, which is not read", kind.substr(0, 20)));
+	Item item;
+	for (const double side : xdmfNumbers(element.attribute("Dimensions")))
 	{
-		const MappedText file((fs::path(file_).parent_path() / std::string(text)).string());
-		const auto seek = xdmfNumbers(item.attribute("Seek"));
-		const std::uint64_t skip = seek.empty() || !(seek[0] >= 0.0) ? 0 : static_cast<std::uint64_t>(seek[0]);
-		if (skip > file.text().size() || file.text().size() - skip < layout.byteCount())
-			throw damaged(fmt::format("{} ends before its values do", text.substr(0, 80)));
+		if (!(side >= 0.0) || side > 1e12 || (item.count *= static_cast<std::uint64_t>(side)) > kMaxValues)
+			throw damaged("a DataItem of impossible Dimensions");
+		item.sides.push_back(static_cast<std::uint64_t>(side));
+	}
+	if (item.sides.empty())
+		throw damaged("a DataItem without Dimensions");
+	item.number_type =
+	    element.attribute("NumberType").empty() ? element.attribute("DataType") : element.attribute("NumberType");
+	item.type = typeOf(item.number_type, element.attribute("Precision"));
+	item.format = element.attribute("Format");
+	item.text = contents(element);
+	const auto seek = xdmfNumbers(element.attribute("Seek"));
+	item.seek = seek.empty() || !(seek[0] >= 0.0) ? 0 : static_cast<std::uint64_t>(seek[0]);
+	item.is_big_endian = element.attribute("Endian") == "Big";
+	return item;
+}
+
+std::string XdmfDocument::pathOf(std::string_view name) const
+{
+	return (fs::path(file_).parent_path() / std::string(name)).string();
+}
+
+XdmfValues XdmfDocument::values(const XmlElement& element) const
+{
+	const Item item = itemOf(element);
+	XdmfValues values;
+	values.sides = item.sides;
+	const ValueLayout layout = flat(item.count, item.type);
+	if (item.format == "HDF")
+	{
+		const auto [file, set] = item.fileAndSet();
+		values.array = arrayOf(hdf5Bytes(pathOf(file), set, item.count, item.type), layout, "");
+	}
+	else if (item.format == "Binary")
+	{
+		const MappedText file(pathOf(item.text));
+		if (item.seek > file.text().size() || file.text().size() - item.seek < layout.byteCount())
+			throw damaged(fmt::format("{} ends before its values do", item.text.substr(0, 80)));
 		ValueLayout ordered = layout;
-		ordered.is_big_endian = item.attribute("Endian") == "Big";
-		values.array = arrayOf(file.text().substr(skip, layout.byteCount()), ordered, "");
+		ordered.is_big_endian = item.is_big_endian;
+		values.array = arrayOf(file.text().substr(item.seek, layout.byteCount()), ordered, "");
 	}
 	else
 	{
 		// In text, so the type is that which holds them all.
-		const bool whole = isOneOf(given_type, {"Int", "UInt", "Char", "UChar"});
-		const ValueLayout own = flat(count, whole ? NumberType::int64 : NumberType::float64);
-		if (count > text.size() / 2 + 1) // a digit and a blank each
+		const bool whole = isOneOf(item.number_type, {"Int", "UInt", "Char", "UChar"});
+		const ValueLayout own = flat(item.count, whole ? NumberType::int64 : NumberType::float64);
+		if (item.count > item.text.size() / 2 + 1) // a digit and a blank each
 			throw damaged("a DataItem of fewer values than its Dimensions say");
 		std::string bytes(own.byteCount(), '\0');
-		TextCursor at(text);
-		for (std::uint64_t i = 0; i < count; ++i)
+		TextCursor at(item.text);
+		for (std::uint64_t i = 0; i < item.count; ++i)
 		{
 			const std::int64_t integer = whole ? at.integer() : 0;
 			const double real = whole ? 0.0 : at.real();
@@ -340,4 +239,35 @@ XdmfValues XdmfDocument::values(const XmlElement& given) const
 		values.array = arrayOf(bytes, own, "");
 	}
 	return values;
+}
+
+vtkSmartPointer<vtkDataArray> XdmfDocument::storedValues(const XmlElement& element,
+                                                         const std::array<std::uint32_t, 3>& points,
+                                                         const std::string& name, const Request& request) const
+{
+	const Item item = itemOf(element);
+	ValueLayout layout{points, 1, item.type, item.is_big_endian};
+	const std::uint64_t tuples = layout.valueCount();
+	const std::uint64_t components = tuples == 0 ? 0 : item.count / tuples;
+	if (components < 1 || components > kMaxComponents || components * tuples != item.count)
+		return nullptr;
+	layout.components = static_cast<std::uint32_t>(components);
+	if (!request.leaves(layout.byteCount()))
+		return nullptr;
+	std::optional<StoredPlace> place;
+	if (item.format == "HDF")
+	{
+		const auto [file, set] = item.fileAndSet();
+		const Hdf5Handle opened(H5Fopen(pathOf(file).c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+		if (opened >= 0)
+			place = storedPlaceOf(opened, pathOf(file), set, layout, {});
+	}
+	else if (item.format == "Binary")
+	{
+		std::error_code error;
+		const std::uint64_t size = fs::file_size(pathOf(item.text), error);
+		if (!error && item.seek <= size && layout.byteCount() <= size - item.seek)
+			place = storedRows(pathOf(item.text), item.seek, layout);
+	}
+	return place ? storedArray(layout, name, std::move(*place)) : nullptr;
 }

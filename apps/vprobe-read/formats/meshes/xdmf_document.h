@@ -1,9 +1,11 @@
 #pragma once
 
+#include "vprobe-read/base/request.h"
 #include "vprobe-read/text/xml_tree.h"
 
 #include <vtkSmartPointer.h>
 
+#include <array>
 #include <cstdint>
 #include <set>
 #include <string>
@@ -40,8 +42,15 @@ public:
 
 	// The values of a DataItem. Throws a Refusal for one that is damaged or not read.
 	XdmfValues values(const XmlElement& item) const;
+	// The values of a DataItem for each of so many points or cells of a lattice (x first) as an array that stays in its
+	// file, if the request lets it. Null for one that cannot stay there.
+	vtkSmartPointer<vtkDataArray> storedValues(const XmlElement& item, const std::array<std::uint32_t, 3>& points,
+	                                           const std::string& name, const Request& request) const;
 
 private:
+	struct Item;
+	Item itemOf(const XmlElement& element) const;
+	std::string pathOf(std::string_view name) const; // names are relative to the folder of this file
 	const XmlElement& resolved(const XmlElement& element) const;
 	const XmlElement* atPath(std::string_view path) const;
 	void collectTakenOver(const XmlElement& from);

@@ -297,6 +297,14 @@ vtkSmartPointer<vtkDataArray> cfMeant(const NetcdfFile& file, int variable, vtkS
 	}
 }
 
+bool cfIsPlain(const NetcdfFile& file, int variable)
+{
+	constexpr std::array kMarks = {"_FillValue", "missing_value", "valid_range", "valid_min",
+	                               "valid_max",  "scale_factor",  "add_offset"};
+	return !file.marksUnwritten() && std::ranges::all_of(kMarks, [&](const char* mark)
+	                                                     { return file.attributeOf(variable, mark).first == NC_NAT; });
+}
+
 CfSlab CfSlab::of(const NetcdfFile& file, int variable)
 {
 	CfSlab slab;

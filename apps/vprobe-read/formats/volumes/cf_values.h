@@ -16,6 +16,10 @@ int cfTypeOf(const NetcdfFile& file, int variable);
 // 2.5.1 and 8.1; `_Unsigned` after the NetCDF Users Guide.
 vtkSmartPointer<vtkDataArray> cfMeant(const NetcdfFile& file, int variable, vtkSmartPointer<vtkDataArray> stored);
 
+// Returns true if cfMeant() changes nothing, whatever the values are: none is packed, and nothing but NaN marks missing
+// ones.
+bool cfIsPlain(const NetcdfFile& file, int variable);
+
 // A part of a variable: where it begins along each dimension, and how many values it has there.
 struct CfSlab
 {

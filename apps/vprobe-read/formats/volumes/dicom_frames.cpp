@@ -18,6 +18,7 @@ namespace
 
 using gdcm::Tag;
 
+constexpr const char* kSegmentationStorage = "1.2.840.10008.5.1.4.1.1.66.4"; // PS3.4 B.5
 constexpr double kMaxFrames = 1e6; // a study of the largest scanners has some ten thousand
 
 void setPlace(const DicomItem& item, const Tag& tag, DicomFrame& frame)
@@ -213,7 +214,10 @@ void addFramesOf(const std::string& file, const DicomItem& root, DicomFrames& al
 	const auto frames = std::max<std::size_t>(1, static_cast<std::size_t>(count));
 	const DicomFrame top = frameOf(file, root);
 	if (all.frames.empty())
+	{
 		all.window = windowOf(root);
+		all.is_segmentation = root.text(Tag(0x0008, 0x0016)) == kSegmentationStorage;
+	}
 	if (!root.items(Tag(0x5200, 0x9230)).empty())
 		addEnhanced(top, root, frames, all);
 	else if (frames == 1)

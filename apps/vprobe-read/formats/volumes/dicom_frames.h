@@ -48,6 +48,7 @@ struct DicomFrames
 	std::vector<DicomFrame> frames;
 	std::vector<std::string> notes;                    // each once
 	bool has_units = true;                             // whether places are in mm
+	bool is_segmentation = false;                      // its first file is one
 	std::optional<std::pair<double, double>> window{}; // rescaled values that its first file shows black and white
 
 	void note(const std::string& line);

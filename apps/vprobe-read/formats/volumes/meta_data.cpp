@@ -61,14 +61,44 @@ void appendPart(std::string& values, const MetaHeader& header, std::string_view 
 		values += data.substr(begin, end - begin);
 }
 
+// Returns the bytes of all times. Throws a Refusal where they are more than can be.
+std::uint64_t bytesOfAll(const MetaHeader& header)
+{
+	std::uint64_t all = 0;
+	if (__builtin_mul_overflow(header.volumeBytes(), header.times(), &all) || all > std::uint64_t(1) << 50)
+		throw damaged("its DimSize cannot be");
+	return all;
+}
+
+// Returns the path of a data file, which is empty where the data follow the header.
+std::string dataFile(const std::string& file, const MetaHeader& header, std::size_t number)
+{
+	if (header.data_files.empty())
+		return {};
+	std::string name = (std::filesystem::path(file).parent_path() / header.data_files[number]).string();
+	std::error_code error;
+	if (!std::filesystem::is_regular_file(name, error))
+		throw Refusal(fmt::format("its data file {} cannot be opened; keep both together", name));
+	return name;
+}
+
 } // namespace
+
+std::optional<MetaPlace> metaPlace(const std::string& file, const MetaHeader& header, std::uint64_t time)
+{
+	if (header.is_text || header.compressed || header.data_files.size() > 1)
+		return std::nullopt;
+	const std::string name = dataFile(file, header, 0);
+	const MappedText mapped(name.empty() ? file : name);
+	const std::string_view data = dataOf(header, mapped.text(), name, bytesOfAll(header));
+	const auto begin = static_cast<std::uint64_t>(data.data() - mapped.text().data());
+	return MetaPlace{name.empty() ? file : name, begin + time * header.volumeBytes()};
+}
 
 std::string metaBytes(const std::string& file, const MetaHeader& header, std::uint64_t time)
 {
 	const std::uint64_t volume = header.volumeBytes();
-	std::uint64_t all = 0;
-	if (__builtin_mul_overflow(volume, header.times(), &all) || all > std::uint64_t(1) << 50)
-		throw damaged("its DimSize cannot be");
+	const std::uint64_t all = bytesOfAll(header);
 	const std::size_t files = std::max<std::size_t>(header.data_files.size(), 1);
 	const std::uint64_t file_bytes = all / files;
 	const std::uint64_t first = header.is_text ? 0 : time * volume;
@@ -78,12 +108,7 @@ std::string metaBytes(const std::string& file, const MetaHeader& header, std::ui
 	for (std::size_t i = 0; i < files; ++i)
 	{
 		const std::uint64_t begin = i * file_bytes;
-		const std::string name = header.data_files.empty()
-		                             ? std::string()
-		                             : (std::filesystem::path(file).parent_path() / header.data_files[i]).string();
-		std::error_code error;
-		if (!name.empty() && !std::filesystem::is_regular_file(name, error))
-			throw Refusal(fmt::format("its data file {} cannot be opened; keep both together", name));
+		const std::string name = dataFile(file, header, i);
 		if (begin + file_bytes <= first || begin >= last)
 			continue; // of another time
 		const MappedText mapped(name.empty() ? file : name);

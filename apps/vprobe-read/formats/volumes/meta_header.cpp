@@ -162,8 +162,10 @@ void setDirection(MetaHeader& header, std::string_view key, std::string_view val
 {
 	const std::vector<double> rows = realsIn(key, value);
 	const std::size_t axes = rows.size() == 16 ? 4 : rows.size() == 9 ? 3 : 0;
+	if (rows.size() == 4)
+		header.direction = {rows[0], rows[2], 0.0, rows[1], rows[3], 0.0, 0.0, 0.0, 1.0};
 	if (axes == 0)
-		return; // of a picture, which is refused
+		return; // of a picture
 	for (std::size_t axis = 0; axis < 3; ++axis)
 		for (std::size_t component = 0; component < 3; ++component)
 			header.direction[component * 3 + axis] = rows[axis * axes + component];
@@ -229,7 +231,7 @@ bool takeValue(MetaHeader& header, const std::string& key, const std::string& va
 void checkHeader(const MetaHeader& header)
 {
 	if (header.size.size() < 3)
-		throw Refusal("nothing to slice: a picture of two dimensions");
+		throw Refusal("nothing to slice: it has one dimension");
 	for (std::size_t axis = 4; axis < header.size.size(); ++axis)
 		if (header.size[axis] != 1)
 			throw Refusal(fmt::format("an image of {} dimensions; write a file for each volume", header.size.size()));
@@ -255,6 +257,9 @@ MetaHeader readMetaHeader(const std::string& file)
 		const std::string value(trimmed(std::string_view(line).substr(equals + 1)));
 		if (takeValue(header, key, value) || key != "ElementDataFile")
 			continue;
+		header.is_picture = header.size.size() == 2;
+		if (header.is_picture)
+			header.size.push_back(1);
 		checkHeader(header);
 		findDataFiles(header, value, in);
 		return header;

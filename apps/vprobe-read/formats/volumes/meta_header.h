@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 struct MetaHeader
 {
 	std::vector<std::uint64_t> size; // points along each axis; a fourth one is time
+	bool is_picture = false;         // two dimensions; `size` has 1 for the third
 	std::string type;                // of one value, without "_ARRAY"
 	std::uint64_t value_bytes = 0;   // of one value; 0 for a type not known
 	std::uint64_t channels = 1;      // values of a point
@@ -36,6 +38,15 @@ MetaHeader readMetaHeader(const std::string& file);
 
 // Turns round the directions of axes whose spacing is negative, as ITK does. The origin stays.
 void makeSpacingPositive(MetaHeader& header);
+
+// Where the values at one time lie in their file, as they are.
+struct MetaPlace
+{
+	std::string file;
+	std::uint64_t offset;
+};
+// Returns nothing for text, for what is packed, and for values in several files. Throws as metaBytes() does.
+std::optional<MetaPlace> metaPlace(const std::string& file, const MetaHeader& header, std::uint64_t time);
 
 // The values at one time, unpacked, in the file's order of bytes; or the whole text. Throws a Refusal where a data file
 // is missing or shorter than the header asks for, or cannot be unpacked.

@@ -72,7 +72,7 @@ std::vector<std::uint32_t> shapeOf(std::string_view text)
 
 } // namespace
 
-std::optional<NpyArray> parseNpy(std::string_view file)
+std::optional<NpyArray> parseNpy(std::string_view file, bool takes_pictures)
 {
 	if (!file.starts_with(kMagic) || file.size() < 12)
 		throw damaged("its first bytes are not those of a NumPy array");
@@ -94,6 +94,8 @@ std::optional<NpyArray> parseNpy(std::string_view file)
 	array.values = file.substr(start + length);
 	array.layout.type = typeOf(description.substr(2, close == description.npos ? close : close - 2));
 	array.layout.is_big_endian = description[1] == '>';
+	if (takes_pictures && shape.size() == 2)
+		shape.push_back(1);
 	if (shape.size() == 4)
 	{
 		array.layout.components = shape[0];

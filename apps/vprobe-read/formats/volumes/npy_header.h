@@ -21,6 +21,6 @@ public:
 };
 
 // Null for an array that is no volume: of fewer than three axes. With four, the one that runs fastest is the
-// components. C order, NumPy's own, has z first and x last; Fortran order the other way round. Throws a Refusal for
-// what is damaged, and an UnreadNpyType.
-std::optional<NpyArray> parseNpy(std::string_view file);
+// components; two are those of a picture, if it is wanted. C order, NumPy's own, has z first and x last; Fortran order
+// the other way round. Throws a Refusal for what is damaged, and an UnreadNpyType.
+std::optional<NpyArray> parseNpy(std::string_view file, bool takes_pictures = false);

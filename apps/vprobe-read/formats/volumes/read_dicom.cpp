@@ -36,9 +36,31 @@ namespace fs = std::filesystem;
 
 constexpr int kMaxFiles = 100000;
 
+// The files that are given as the slices of one volume.
+std::vector<DicomSlice> givenSlices(const std::vector<std::string>& files)
+{
+	std::vector<DicomSlice> slices;
+	for (const std::string& file : files)
+	{
+		const auto slice = dicomSlice(file);
+		const std::string name = fs::path(file).filename().string();
+		if (!slice)
+			throw damaged(fmt::format("{} is no DICOM image that can be opened", name));
+		if (slice->frames > 1 && !slice->is_part)
+			throw Refusal(fmt::format("{} has {} frames, and a slice has one; name it alone", name, slice->frames));
+		if (!slices.empty() && slice->series != slices.front().series)
+			throw Refusal(fmt::format("{} is of another series than {}; give the slices of one series", name,
+			                          fs::path(files.front()).filename().string()));
+		slices.push_back(*slice);
+	}
+	return slices;
+}
+
 // The files of one series: that of `request.file`, or, where it is a folder, the largest in it.
 std::vector<DicomSlice> sliceFiles(const Request& request, ManifestWriter& manifest)
 {
+	if (!request.slices.empty())
+		return givenSlices(request.slices);
 	const bool is_folder = fs::is_directory(request.file);
 	const fs::path folder = is_folder ? fs::path(request.file) : fs::absolute(request.file).parent_path();
 	std::string wanted;
@@ -148,7 +170,7 @@ void readDicom(const Request& request, ManifestWriter& manifest)
 	if (all.has_units)
 		manifest.setLengthUnits("mm");
 	// Without a place of their own, frames are pictures one over the other.
-	manifest.setImaging({frames.front().has_place ? "LPS" : "rows-down", true, all.window});
+	manifest.setImaging({frames.front().has_place ? "LPS" : "rows-down", true, all.is_segmentation, all.window});
 	if (steps.are_seconds)
 		manifest.setTimeUnits("s");
 	manifest.addLone(grid);

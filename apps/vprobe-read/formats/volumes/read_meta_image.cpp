@@ -1,9 +1,10 @@
 // MetaImage by a parser of our own: VTK 9.1's reader takes longs for 8 bytes, knows none of 8, crashes over four
 // dimensions, drops directions and signs, and shows zeros where packed data cannot be unpacked.
 #include "meta_header.h"
+#include "vprobe-read/arrays/stored_array.h"
 #include "vprobe-read/arrays/text_values.h"
-#include "vprobe-read/arrays/value_image.h"
 #include "vprobe-read/base/refusal.h"
+#include "vprobe-read/cells/structured_blocks.h"
 #include "vprobe-read/formats/formats.h"
 #include "vprobe-read/manifest/manifest_writer.h"
 #include "vprobe-read/manifest/time_choice.h"
@@ -11,6 +12,8 @@
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
+#include <vtkMatrix3x3.h>
+#include <vtkNew.h>
 
 #include <fmt/format.h>
 
@@ -74,11 +77,26 @@ void placeMeta(const MetaHeader& header, vtkImageData* image, ManifestWriter& ma
 	manifest.setImaging({is_patient ? "LPS" : "", true});
 }
 
+vtkSmartPointer<vtkDataArray> valuesOf(const Request& request, const MetaHeader& header, const ValueLayout& layout,
+                                       std::size_t step)
+{
+	vtkNew<vtkMatrix3x3> direction;
+	direction->DeepCopy(header.direction.data());
+	if (request.leaves(layout.byteCount()) && layout.byteCount() == header.volumeBytes() && isAxisAligned(direction))
+		if (const std::optional<MetaPlace> place = metaPlace(request.file, header, step))
+			return storedArray(layout, "MetaImage", storedRows(place->file, place->offset, layout));
+	const std::string bytes = metaBytes(request.file, header, step);
+	return header.is_text ? arrayOfText(bytes, layout, step, header.times(), "MetaImage")
+	                      : arrayOf(bytes, layout, "MetaImage");
+}
+
 } // namespace
 
 void readMetaImage(const Request& request, ManifestWriter& manifest)
 {
 	MetaHeader header = readMetaHeader(request.file);
+	if (header.is_picture && !request.is_slice)
+		throw Refusal("nothing to slice: a picture of two dimensions");
 	makeSpacingPositive(header);
 	ValueLayout layout;
 	for (std::size_t axis = 0; axis < 3; ++axis)
@@ -94,9 +112,7 @@ void readMetaImage(const Request& request, ManifestWriter& manifest)
 	chooseIfAny(times.times, request);
 	const std::size_t step = times.times.empty() ? 0 : times.steps[chooseStep(times.times, request)];
 
-	const std::string bytes = metaBytes(request.file, header, step);
-	const auto values = header.is_text ? arrayOfText(bytes, layout, step, header.times(), "MetaImage")
-	                                   : arrayOf(bytes, layout, "MetaImage");
+	const auto values = valuesOf(request, header, layout, step);
 	const auto image = imageOf(values, layout.points);
 	placeMeta(header, image, manifest);
 	if (header.has_scale)

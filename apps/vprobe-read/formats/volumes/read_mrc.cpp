@@ -1,9 +1,11 @@
 // MRC and CCP4 maps (MRC2014). By a parser of our own: VTK 9.1 turns only the first row of a big-endian file, takes
 // mode 6 for two components, and leaves the order of the axes out.
 #include "mrc_header.h"
+#include "vprobe-read/arrays/stored_array.h"
 #include "vprobe-read/base/half_float.h"
 #include "vprobe-read/base/mapped_text.h"
 #include "vprobe-read/base/refusal.h"
+#include "vprobe-read/cells/structured_blocks.h"
 #include "vprobe-read/formats/formats.h"
 #include "vprobe-read/manifest/manifest_writer.h"
 #include "vprobe-read/manifest/time_choice.h"
@@ -11,6 +13,8 @@
 #include <vtkDataArray.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
+#include <vtkMatrix3x3.h>
+#include <vtkNew.h>
 
 #include <fmt/format.h>
 
@@ -65,15 +69,18 @@ void readMrc(const Request& request, ManifestWriter& manifest)
 	std::string_view wanted = values.substr(volume * bytes, bytes);
 	if (header.isPacked())
 		wanted = unpacked = unpackedHalfBytes(wanted, header.layout().points[0]);
-	auto density = arrayOf(wanted, header.layout(), "density");
+	const MrcHeader::Place place = header.place();
+	vtkNew<vtkMatrix3x3> direction;
+	direction->DeepCopy(place.direction.data());
+	const bool may_stay = !header.isPacked() && !header.isHalf() && isAxisAligned(direction);
+	auto density = may_stay ? arrayInFile(request, file, wanted, header.layout(), "density")
+	                        : arrayOf(wanted, header.layout(), "density");
 	if (header.isHalf())
 		density = floatsOfHalfs(density);
 	const auto image = imageOf(density, header.layout().points);
-
-	const MrcHeader::Place place = header.place();
 	image->SetSpacing(place.spacing.data());
 	image->SetOrigin(place.origin.data());
-	image->SetDirectionMatrix(place.direction.data());
+	image->SetDirectionMatrix(direction);
 	manifest.setLengthUnits("Å");
 	manifest.setImaging({"", true});
 	manifest.addLone(image);

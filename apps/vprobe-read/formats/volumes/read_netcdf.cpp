@@ -2,6 +2,7 @@
 #include "cf_grid.h"
 #include "cf_values.h"
 #include "cf_volumes.h"
+#include "vprobe-read/arrays/stored_array.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/checks/netcdf_size.h"
 #include "vprobe-read/formats/formats.h"
@@ -22,6 +23,8 @@
 #include <algorithm>
 #include <cstring>
 #include <numeric>
+
+using vp::grid::NumberType;
 
 namespace
 {
@@ -112,8 +115,27 @@ vtkSmartPointer<vtkDataArray> atMiddles(vtkDataArray* sides, std::array<std::siz
 	return middles;
 }
 
+// Returns an array whose values stay in the file, or null if they cannot.
+vtkSmartPointer<vtkDataArray> arrayLeft(const NetcdfFile& file, const CfVolume& volume, const CfSlab& slab,
+                                        const std::array<std::size_t, 3>& lengths, const Request& request)
+{
+	const auto [x, y, z] = volume.sides;
+	const std::size_t sides = slab.counts.size();
+	const std::optional<NumberType> type = numberTypeOfVtk(cfTypeOf(file, volume.variable));
+	const bool is_last = x + 1 == sides && y + 2 == sides && z + 3 == sides;
+	if (!type || !is_last || volume.staggered || !cfIsPlain(file, volume.variable))
+		return nullptr;
+	ValueLayout layout{{}, 1, *type};
+	for (std::size_t axis = 0; axis < 3; ++axis)
+		layout.points[axis] = static_cast<std::uint32_t>(lengths[axis]);
+	const std::vector<std::size_t> front(slab.starts.begin(), slab.starts.end() - 3);
+	std::optional<StoredPlace> place =
+	    request.leaves(layout.byteCount()) ? file.storedPlace(volume.variable, front) : std::nullopt;
+	return place ? storedArray(layout, volume.name, std::move(*place)) : nullptr;
+}
+
 vtkSmartPointer<vtkDataArray> arrayOfVolume(const NetcdfFile& file, const CfVolumes& volumes, const CfVolume& volume,
-                                            std::size_t step)
+                                            std::size_t step, const Request& request)
 {
 	CfSlab slab = CfSlab::of(file, volume.variable);
 	if (volume.time)
@@ -121,7 +143,9 @@ vtkSmartPointer<vtkDataArray> arrayOfVolume(const NetcdfFile& file, const CfVolu
 	std::array<std::size_t, 3> lengths = {volumes.axes[0].length, volumes.axes[1].length, volumes.axes[2].length};
 	if (volume.staggered)
 		++lengths[*volume.staggered];
-	vtkSmartPointer<vtkDataArray> array = withXFastest(cfArray(file, volume.variable, slab), volume, lengths);
+	vtkSmartPointer<vtkDataArray> array = arrayLeft(file, volume, slab, lengths, request);
+	if (!array)
+		array = withXFastest(cfArray(file, volume.variable, slab), volume, lengths);
 	if (volume.staggered)
 		array = atMiddles(array, lengths, *volume.staggered);
 	array->SetName(volume.name.c_str());
@@ -145,8 +169,12 @@ void readByConventions(const NetcdfFile& file, const Request& request, ManifestW
 		fields = grid.data->GetCellData();
 	if (std::ranges::any_of(volumes.all, [](const CfVolume& volume) { return volume.staggered.has_value(); }))
 		manifest.warn("of variables on the sides of cells, the means at their middles are shown");
+	Request reading = request; // arrays of other grids are handed over
+	const bool is_straight = grid.data->IsA("vtkImageData") || grid.data->IsA("vtkRectilinearGrid");
+	if (!is_straight || grid.data->GetCellGhostArray() || grid.data->GetPointGhostArray())
+		reading.stays_above = ~std::uint64_t(0);
 	for (const CfVolume& volume : volumes.all)
-		fields->AddArray(arrayOfVolume(file, volumes, volume, step));
+		fields->AddArray(arrayOfVolume(file, volumes, volume, step, reading));
 	manifest.add(grid.data);
 }
 
@@ -161,5 +189,7 @@ void readNetcdf(const Request& request, ManifestWriter& manifest)
 
 void readZarr(const Request& request, ManifestWriter& manifest)
 {
-	readByConventions(ZarrFile(request.file), request, manifest);
+	const ZarrFile file(request.file);
+	manifest.setImaging({.labels = file.hasLabels()});
+	readByConventions(file, request, manifest);
 }

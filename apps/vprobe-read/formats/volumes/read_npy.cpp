@@ -1,5 +1,6 @@
 // NumPy's arrays, one (.npy) or several (.npz). They say nothing of places: values are 1 apart.
 #include "npy_header.h"
+#include "vprobe-read/arrays/stored_array.h"
 #include "vprobe-read/base/mapped_text.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/base/zip_file.h"
@@ -41,12 +42,12 @@ std::optional<NpyArray> parseMember(std::string_view bytes, std::string& why)
 void readNpy(const Request& request, ManifestWriter& manifest)
 {
 	const MappedText file(request.file);
-	const std::optional<NpyArray> array = parseNpy(file.text());
+	const std::optional<NpyArray> array = parseNpy(file.text(), request.is_slice);
 	if (!array)
 		throw Refusal("nothing to slice: an array without three axes");
 	const std::string name = std::filesystem::path(request.file).stem().string();
 	manifest.setImaging({"rows-down"});
-	manifest.addLone(imageOf(arrayOf(array->values, array->layout, name), array->layout.points));
+	manifest.addLone(imageOf(arrayInFile(request, file, array->values, array->layout, name), array->layout.points));
 }
 
 // Volumes of one shape are arrays of one block.

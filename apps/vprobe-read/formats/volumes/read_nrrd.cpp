@@ -1,4 +1,5 @@
 // NRRD through teem, whose format it is: VTK 9.1 reads no header with several data files, and no directions.
+#include "base/real_text.h"
 #include "nrrd_axes.h"
 #include "vprobe-read/arrays/text_values.h"
 #include "vprobe-read/arrays/value_image.h"
@@ -14,8 +15,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <filesystem>
+#include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <utility>
 
 using vp::grid::NumberType;
@@ -116,6 +122,25 @@ NrrdPointer loadNrrd(const std::string& file)
 	return nrrd;
 }
 
+// A picture without directions gets a third axis of one sample.
+void addFlatAxis(NrrdPointer& nrrd)
+{
+	int open = 0, space = 0;
+	for (unsigned i = 0; i < nrrd->dim; ++i)
+	{
+		open += nrrd->axis[i].kind == nrrdKindUnknown;
+		space += nrrd->axis[i].kind == nrrdKindDomain || nrrd->axis[i].kind == nrrdKindSpace;
+	}
+	if (nrrd->spaceDim > 0 || open + space != 2)
+		return;
+	NrrdPointer with_axis(nrrdNew());
+	if (nrrdAxesInsert(with_axis.get(), nrrd.get(), nrrd->dim))
+		throw damaged(biffReason());
+	std::swap(with_axis->content, nrrd->content); // teem says there what it did
+	with_axis->axis[nrrd->dim].kind = space > 0 ? nrrdKindSpace : nrrdKindUnknown;
+	nrrd = std::move(with_axis);
+}
+
 ValueLayout layoutOf(const Nrrd& nrrd, const NrrdAxes& axes)
 {
 	ValueLayout layout;
@@ -133,11 +158,49 @@ ValueLayout layoutOf(const Nrrd& nrrd, const NrrdAxes& axes)
 	return layout;
 }
 
+std::optional<std::string> nrrdKey(Nrrd& nrrd, const std::string& key)
+{
+	char* found = nrrdKeyValueGet(&nrrd, key.c_str());
+	const std::optional<std::string> value = found ? std::optional<std::string>(found) : std::nullopt;
+	std::free(found);
+	return value;
+}
+
+// As 3D Slicer writes them: "file.seg.nrrd", with keys for each segment.
+bool isSegmentation(Nrrd& nrrd, const std::string& file)
+{
+	if (std::filesystem::path(file).stem().extension() == ".seg")
+		return true;
+	return nrrdKey(nrrd, "Segment0_ID").has_value();
+}
+
+// The names of 3D Slicer's segments, by their values. Segments of two layers may have one value; such have no name.
+std::vector<std::pair<double, std::string>> segmentNames(Nrrd& nrrd)
+{
+	std::map<double, std::string> names;
+	std::set<double> taken;
+	for (int segment = 0; nrrdKey(nrrd, fmt::format("Segment{}_ID", segment)); ++segment)
+	{
+		const auto value = nrrdKey(nrrd, fmt::format("Segment{}_LabelValue", segment));
+		const std::optional<double> number = value ? vp::parseReal(*value) : std::nullopt;
+		const auto name = nrrdKey(nrrd, fmt::format("Segment{}_Name", segment));
+		if (!number || !std::isfinite(*number))
+			continue;
+		if (!taken.insert(*number).second)
+			names.erase(*number);
+		else if (name && !name->empty())
+			names[*number] = *name;
+	}
+	return {names.begin(), names.end()};
+}
+
 } // namespace
 
 void readNrrd(const Request& request, ManifestWriter& manifest)
 {
 	NrrdPointer nrrd = loadNrrd(request.file);
+	if (request.is_slice)
+		addFlatAxis(nrrd);
 	NrrdAxes axes = nrrdAxes(*nrrd);
 	orderAxes(nrrd, axes);
 	const ValueLayout layout = layoutOf(*nrrd, axes);
@@ -162,7 +225,7 @@ void readNrrd(const Request& request, ManifestWriter& manifest)
 	if (!place.note.empty())
 		manifest.warn(place.note);
 	manifest.setLengthUnits(place.length_units);
-	manifest.setImaging({place.orientation, true});
+	manifest.setImaging({place.orientation, true, isSegmentation(*nrrd, request.file), {}, segmentNames(*nrrd)});
 	manifest.setTimeUnits(nrrdTimeUnits(*nrrd, axes));
 	manifest.addLone(image);
 	manifest.offerTimes(std::move(times.times));

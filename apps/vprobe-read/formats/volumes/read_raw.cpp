@@ -1,6 +1,6 @@
 // A file of nothing but values, whose layout the user gives.
 #include "read/raw_layout.h"
-#include "vprobe-read/arrays/value_image.h"
+#include "vprobe-read/arrays/stored_array.h"
 #include "vprobe-read/base/bytes_read.h"
 #include "vprobe-read/base/mapped_text.h"
 #include "vprobe-read/base/refusal.h"
@@ -19,7 +19,8 @@ namespace
 {
 
 // Where parts are asked for, the values of others are not touched.
-void addVolume(std::string_view values, ValueLayout layout, const vp::Vec3& spacing, ManifestWriter& manifest)
+void addVolume(const Request& request, const MappedText& file, std::string_view values, ValueLayout layout,
+               const vp::Vec3& spacing, ManifestWriter& manifest)
 {
 	const bool splits = manifest.parts().splits() && std::ranges::all_of(layout.points, [](auto n) { return n > 1; });
 	const std::uint64_t plane = std::uint64_t(layout.points[0]) * layout.points[1];
@@ -35,8 +36,9 @@ void addVolume(std::string_view values, ValueLayout layout, const vp::Vec3& spac
 		layout.points[2] = static_cast<std::uint32_t>(layers.count() + 1);
 		values = values.substr(plane * layers.begin * byteSize(layout.type), layout.byteCount());
 	}
-	countMapped(values.size());
-	const auto image = imageOf(arrayOf(values, layout, "values"), layout.points);
+	if (!request.leaves(values.size()))
+		countMapped(values.size());
+	const auto image = imageOf(arrayInFile(request, file, values, layout, "values"), layout.points);
 	image->SetSpacing(spacing.x, spacing.y, spacing.z);
 	if (!splits)
 		return manifest.add(image);
@@ -61,5 +63,5 @@ void readRaw(const Request& request, ManifestWriter& manifest)
 		throw damaged(fmt::format("{} bytes where {} values of {} take {}", file.text().size(),
 		                          vp::read::rawSizeText(given->size), vp::read::rawTypeText(given->type), bytes));
 	// Headers stand before the values.
-	addVolume(file.text().substr(file.text().size() - bytes), layout, given->spacing, manifest);
+	addVolume(request, file, file.text().substr(file.text().size() - bytes), layout, given->spacing, manifest);
 }

@@ -2,10 +2,10 @@
 
 #include "base/real_text.h"
 #include "vprobe-read/base/refusal.h"
+#include "vprobe-read/text/json_text.h"
 #include "vprobe-read/text/length_units.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -134,7 +134,7 @@ TiffLayout shapedLayout(const TiffFacts& facts)
 {
 	TiffLayout layout;
 	layout.slices = static_cast<std::uint32_t>(facts.pages);
-	const auto about = nlohmann::json::parse(facts.description, nullptr, false);
+	const auto about = parseJson(facts.description);
 	const auto shape = about.is_object() ? about.find("shape") : about.end();
 	if (!about.is_object() || shape == about.end() || !shape->is_array())
 		return layout;

@@ -4,9 +4,9 @@
 #include "vprobe-read/base/half_float.h"
 #include "vprobe-read/base/mapped_text.h"
 #include "vprobe-read/base/refusal.h"
+#include "vprobe-read/text/json_text.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -156,7 +156,7 @@ json zarrJson(const fs::path& file)
 		}
 		at += bare;
 	}
-	const json parsed = json::parse(text, nullptr, false);
+	const json parsed = parseJson(text);
 	if (!parsed.is_object())
 		throw damaged(fmt::format("{} is no JSON", (file.parent_path().filename() / file.filename()).string()));
 	return parsed;
@@ -217,9 +217,52 @@ void ZarrArray::takeFill(const json& given)
 	fill_ = std::move(bytes);
 }
 
+// The chunks of a part that few of them cover, by their names. Nothing for others.
+std::optional<std::vector<ZarrArray::Chunk>> ZarrArray::fewChunksIn(const Sides& starts, const Sides& counts) const
+{
+	constexpr std::size_t kFew = 16;
+	Sides first(shape_.size());
+	Sides count(shape_.size());
+	std::size_t all = 1;
+	for (std::size_t i = 0; i < shape_.size(); ++i)
+	{
+		if (counts[i] == 0)
+			return std::nullopt;
+		first[i] = starts[i] / chunk_[i];
+		count[i] = (starts[i] + counts[i] - 1) / chunk_[i] - first[i] + 1;
+		if (__builtin_mul_overflow(all, count[i], &all) || all > kFew)
+			return std::nullopt;
+	}
+	std::vector<Chunk> chunks;
+	for (std::size_t number = 0; number < all && !shape_.empty(); ++number)
+	{
+		Sides begin(shape_.size());
+		std::string key;
+		std::size_t rest = number;
+		for (std::size_t i = 0; i < shape_.size(); ++i)
+		{
+			const std::size_t index = first[i] + rest % count[i];
+			rest /= count[i];
+			begin[i] = index * chunk_[i];
+			key += fmt::format("{}{}", i ? "." : "", index);
+		}
+		std::string in_folders = key;
+		std::ranges::replace(in_folders, '.', '/');
+		for (const std::string& name : {key, in_folders})
+			if (std::error_code ignored; fs::is_regular_file(folder_ / name, ignored))
+			{
+				chunks.push_back({folder_ / name, begin});
+				break;
+			}
+	}
+	return shape_.empty() ? std::nullopt : std::optional(std::move(chunks));
+}
+
 // Not over all chunks that there may be: a text can name far more of them than there are files.
 std::vector<ZarrArray::Chunk> ZarrArray::chunksIn(const Sides& starts, const Sides& counts) const
 {
+	if (auto few = fewChunksIn(starts, counts))
+		return std::move(*few);
 	std::vector<Chunk> chunks;
 	for (auto entry = fs::recursive_directory_iterator(folder_); entry != fs::recursive_directory_iterator(); ++entry)
 	{

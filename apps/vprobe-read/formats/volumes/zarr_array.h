@@ -1,10 +1,12 @@
 #pragma once
 
+#include "vprobe-read/arrays/stored_place.h"
 #include "zarr_codecs.h"
 
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,6 +34,13 @@ public:
 	// fill value; without one, NaN. Throws a Refusal for whole numbers without one. `to` has room.
 	void read(const std::vector<std::size_t>& starts, const std::vector<std::size_t>& counts, std::byte* to) const;
 
+	// Returns the place of a lattice that is the last three sides, at these indices of the others. Its parts are the
+	// chunks. Returns nothing for fewer sides.
+	std::optional<StoredPlace> storedPlace(const std::vector<std::size_t>& front) const;
+	// Reads such a part. Its last three sides are those of a chunk, also where that reaches beyond the array.
+	void readPart(const std::vector<std::size_t>& front, std::uint64_t number, std::span<std::byte> to) const;
+	std::size_t partBytes() const;
+
 private:
 	struct Chunk
 	{
@@ -41,6 +50,8 @@ private:
 
 	bool isHalf() const { return type_.kind == 'f' && type_.width == 2; }
 	void takeFill(const nlohmann::json& given);
+	std::optional<std::vector<Chunk>> fewChunksIn(const std::vector<std::size_t>& starts,
+	                                              const std::vector<std::size_t>& counts) const;
 	std::vector<Chunk> chunksIn(const std::vector<std::size_t>& starts, const std::vector<std::size_t>& counts) const;
 	std::vector<std::byte> unpacked(const Chunk& chunk) const;
 	std::size_t copy(const Chunk& chunk, const std::vector<std::size_t>& starts, const std::vector<std::size_t>& counts,

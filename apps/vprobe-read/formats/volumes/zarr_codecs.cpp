@@ -1,6 +1,7 @@
 // The codecs of numcodecs that Zarr 2 names in its .zarray, undone.
 #include "zarr_codecs.h"
 
+#include "vprobe-read/arrays/chunk_codecs.h"
 #include "vprobe-read/base/is_one_of.h"
 #include "vprobe-read/base/refusal.h"
 
@@ -12,11 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <memory>
-#include <new>
 
-#include <blosc.h>
-#include <libdeflate.h>
 #include <lz4.h>
 #include <lzma.h>
 #include <zlib.h>
@@ -28,23 +25,6 @@ namespace
 {
 
 using Bytes = std::span<const std::byte>;
-
-template <class Decompress>
-bool inflateBy(Decompress* decompress, Bytes packed, std::span<std::byte> to)
-{
-	const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)> one(
-	    libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
-	if (!one)
-		throw std::bad_alloc();
-	return decompress(one.get(), packed.data(), packed.size(), to.data(), to.size(), nullptr) == LIBDEFLATE_SUCCESS;
-}
-
-bool unpackBlosc(Bytes packed, std::span<std::byte> to)
-{
-	std::size_t bytes = 0;
-	return blosc_cbuffer_validate(packed.data(), packed.size(), &bytes) == 0 && bytes == to.size() &&
-	       blosc_decompress_ctx(packed.data(), to.data(), to.size(), 1) == static_cast<int>(to.size());
-}
 
 std::uint32_t littleEndian(Bytes bytes)
 {
@@ -71,18 +51,6 @@ bool unpackXz(Bytes packed, std::span<std::byte> to)
 	                                 packed.size(), reinterpret_cast<std::uint8_t*>(to.data()), &written,
 	                                 to.size()) == LZMA_OK &&
 	       written == to.size();
-}
-
-// First all first bytes, then all second ones; what does not fill an element is left as it is.
-bool unshuffle(Bytes packed, std::span<std::byte> to, std::size_t width)
-{
-	const std::size_t count = packed.size() / width;
-	for (std::size_t b = 0; b < width; ++b)
-		for (std::size_t i = 0; i < count; ++i)
-			to[i * width + b] = packed[b * count + i];
-	std::copy(packed.begin() + static_cast<std::ptrdiff_t>(count * width), packed.end(),
-	          to.begin() + static_cast<std::ptrdiff_t>(count * width));
-	return true;
 }
 
 bool checkCrc(Bytes packed, std::span<std::byte> to)
@@ -250,9 +218,9 @@ bool ZarrCodecs::Step::undo(Bytes packed, std::span<std::byte> to) const
 	if (id == "blosc")
 		return unpackBlosc(packed, to);
 	if (id == "zlib")
-		return inflateBy(libdeflate_zlib_decompress, packed, to);
+		return inflateZlib(packed, to);
 	if (id == "gzip")
-		return inflateBy(libdeflate_gzip_decompress, packed, to);
+		return inflateGzip(packed, to);
 	if (id == "zstd")
 		return ZSTD_decompress(to.data(), to.size(), packed.data(), packed.size()) == to.size();
 	if (id == "lz4")

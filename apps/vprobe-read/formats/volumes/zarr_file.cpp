@@ -170,6 +170,7 @@ ZarrFile::ZarrFile(const std::string& given) : NetcdfFile(newFileInMemory())
 		throw Refusal(fmt::format("nothing to slice: a Zarr group with groups alone; name one of them, such as {}",
 		                          (fs::path(given) / groups[0]).string()));
 	const json attributes_of_all = jsonOrNone(folder / ".zattrs");
+	has_labels_ = attributes_of_all.contains("image-label");
 	for (const auto& [name, value] : attributes_of_all.items())
 		putAttribute(id(), NC_GLOBAL, name, value);
 }
@@ -212,6 +213,11 @@ void ZarrFile::addArray(const fs::path& folder, const std::string& name, const j
 	if (const json marks = missingIn(about, attributes); !marks.empty())
 		putAttribute(id(), variable, "missing_value", marks);
 	arrays_.emplace(variable, std::move(array));
+}
+
+std::optional<StoredPlace> ZarrFile::storedPlace(int variable, const std::vector<std::size_t>& front) const
+{
+	return arrays_.at(variable).storedPlace(front);
 }
 
 void ZarrFile::readSlab(int variable, const std::vector<std::size_t>& starts, const std::vector<std::size_t>& counts,

@@ -17,7 +17,11 @@ public:
 
 	void readSlab(int variable, const std::vector<std::size_t>& starts, const std::vector<std::size_t>& counts,
 	              void* to) const override;
+	std::optional<StoredPlace> storedPlace(int variable, const std::vector<std::size_t>& front) const override;
 	bool marksUnwritten() const override { return false; }
+
+	/// Returns true if OME-Zarr's attributes say that its arrays are labels.
+	bool hasLabels() const { return has_labels_; }
 
 private:
 	void addArray(const std::filesystem::path& folder, const std::string& name, const nlohmann::json& about,
@@ -25,4 +29,5 @@ private:
 	std::vector<int> dimensionsOf(const ZarrArray& array, const std::vector<std::string>& names);
 
 	std::map<int, ZarrArray> arrays_; // by their variables
+	bool has_labels_ = false;
 };

@@ -1,5 +1,6 @@
 // Files that only name others: multiblock and AMR indices, collections over time, series.
 #include "base/real_text.h"
+#include "vprobe-read/base/mapped_text.h"
 #include "vprobe-read/base/read_files.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/boxes/amr_cover.h"
@@ -8,6 +9,7 @@
 #include "vprobe-read/formats/formats.h"
 #include "vprobe-read/manifest/manifest_writer.h"
 #include "vprobe-read/manifest/time_choice.h"
+#include "vprobe-read/text/json_text.h"
 #include "vprobe-read/text/text_cursor.h"
 
 #include <vtkCellData.h>
@@ -18,12 +20,10 @@
 #include <vtkXMLUtilities.h>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 
 namespace fs = std::filesystem;
@@ -215,7 +215,7 @@ void readSeries(const Request& request, ManifestWriter& manifest)
 	std::vector<Step> steps;
 	try
 	{
-		const auto series = nlohmann::json::parse(std::ifstream(request.file, std::ios::binary));
+		const nlohmann::json series = parseJson(MappedText(request.file).text());
 		for (const auto& file : series.at("files"))
 			steps.push_back({file.at("time").get<double>(), file.at("name").get<std::string>(), ""});
 	}

@@ -175,6 +175,8 @@ bool readPieces(const Request& request, const std::string& type, ManifestWriter&
 		return false;
 	if (manifest.parts().lists()) // of chosen ones each is looked at as it is read
 		refuseShortXml(request.file);
+	else
+		refuseDeepXml(request.file);
 	const auto root =
 	    vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(request.file.c_str()));
 	vtkXMLDataElement* whole = root ? root->FindNestedElementWithName(type.c_str()) : nullptr;

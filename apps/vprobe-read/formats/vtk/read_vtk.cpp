@@ -216,7 +216,7 @@ void addXml(const Request& request, const std::string& type, ManifestWriter& man
 		if (!manifest.parts().begin(manifest.parts().lists() ? cellsOfXml(request.file) : 0))
 			return;
 		const InsidePart inside(manifest.parts());
-		if (manifest.addQuickly(request.file, request.threads))
+		if (manifest.addQuickly(request.file, request.threads, {}, request.stays_above))
 			return;
 		const PlainXml plain(request);
 		// A copy is of the kind that is read without VTK, once it has no more numbers in text.

@@ -3,6 +3,7 @@
 #include "shared_faces.h"
 #include "vprobe-read/base/is_one_of.h"
 #include "vprobe-read/base/refusal.h"
+#include "vprobe-read/cells/structured_blocks.h"
 #include "vprobe-read/formats/formats.h"
 #include "vprobe-read/hdf5/hdf5_file.h"
 #include "vprobe-read/manifest/manifest_writer.h"
@@ -138,6 +139,8 @@ private:
 		image->SetSpacing(attribute<3>("Spacing").data());
 		if (!file_.realsOr(kVtkHdf, "Direction").empty())
 			image->SetDirectionMatrix(attribute<9>("Direction").data());
+		may_stay_ = isAxisAligned(image->GetDirectionMatrix()) && !file_.has(pathOf("Point", "vtkGhostType")) &&
+		            !file_.has(pathOf("Cell", "vtkGhostType"));
 		addLatticeArrays("Point", points, image->GetPointData());
 		addLatticeArrays("Cell", cells, image->GetCellData());
 		manifest_.add(image);
@@ -169,7 +172,11 @@ private:
 	void eachArray(const std::string& association, Add&& add)
 	{
 		for (const std::string& name : file_.namesIn(kVtkHdf + "/" + association + "Data"))
-			if (const auto type = file_.numberType(pathOf(association, name)))
+			if (file_.leadsNowhere(pathOf(association, name)))
+				manifest_.warn(fmt::format("the array {} is a link that leads nowhere, and is left out; keep the files "
+				                           "that it names together",
+				                           name));
+			else if (const auto type = file_.numberType(pathOf(association, name)))
 				add(name, *type, file_.sidesOf(pathOf(association, name)));
 			else
 				manifest_.warn(fmt::format("the array {} holds no numbers and is left out", name));
@@ -203,6 +210,20 @@ private:
 			to->SetRationalWeights(array);
 	}
 
+	// Returns the array of an image if its values may stay in the file, or null.
+	vtkSmartPointer<vtkDataArray> inFile(const std::string& path, const std::string& name, NumberType type,
+	                                     const std::vector<std::uint64_t>& lattice, std::uint64_t components,
+	                                     const std::vector<std::uint64_t>& front) const
+	{
+		ValueLayout layout{{}, static_cast<std::uint32_t>(components), type};
+		for (std::size_t axis = 0; axis < 3; ++axis)
+			layout.points[axis] = static_cast<std::uint32_t>(lattice[2 - axis]);
+		if (!may_stay_ || !request_.leaves(layout.byteCount()))
+			return nullptr;
+		std::optional<StoredPlace> place = file_.storedPlace(path, layout, front);
+		return place ? storedArray(layout, name, std::move(*place)) : nullptr;
+	}
+
 	// Arrays of a file with times have their steps as the slowest side.
 	void addLatticeArrays(const std::string& association, const std::vector<std::uint64_t>& lattice,
 	                      vtkDataSetAttributes* to)
@@ -229,6 +250,9 @@ private:
 				          begin[0] = step_.arrayOffset(association, name).value_or(step_.number());
 				          count[0] = 1;
 			          }
+			          if (const auto stored = inFile(pathOf(association, name), name, type, lattice, components,
+			                                         std::vector(begin.begin(), begin.begin() + long(front))))
+				          return addArray(association, name, stored, to);
 			          addArray(association, name, slab(pathOf(association, name), type, begin, count, components), to);
 		          });
 	}
@@ -364,6 +388,7 @@ private:
 	Hdf5File file_;
 	VtkHdfStep step_;
 	bool has_shown_ = false;
+	bool may_stay_ = false; // arrays of the image, in the file
 };
 
 } // namespace

@@ -15,9 +15,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
-#include <string_view>
 #include <vector>
 
 namespace
@@ -44,48 +42,29 @@ std::vector<std::vector<double>> exodusCoordinates(const NetcdfFile& file)
 	return axes;
 }
 
-vtkDataArray* displacementsOf(vtkPointData* arrays)
-{
-	for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
-	{
-		vtkDataArray* array = arrays->GetArray(i);
-		const std::string_view name = array && array->GetName() ? array->GetName() : "";
-		const auto isLetter = [&](std::size_t at, char letter)
-		{ return name.size() > at && std::tolower(static_cast<unsigned char>(name[at])) == letter; };
-		if (array && array->GetNumberOfComponents() == 3 && isLetter(0, 'd') && isLetter(1, 'i') && isLetter(2, 's'))
-			return array;
-	}
-	return nullptr;
-}
-
 // True if they differ by no more than the rounding to single precision.
 bool roundsTo(double exact, double single)
 {
 	return std::abs(exact - single) <= std::abs(exact) * 0x1p-23 + 0x1p-140 || !(std::isfinite(exact));
 }
 
-bool setPointsOf(vtkPointSet* data, vtkDataArray* ids, const std::vector<std::vector<double>>& axes, double displace)
+bool setPointsOf(vtkPointSet* data, vtkDataArray* ids, const std::vector<std::vector<double>>& axes)
 {
 	const vtkIdType count = data->GetNumberOfPoints();
-	vtkDataArray* moves = displace != 0.0 ? displacementsOf(data->GetPointData()) : nullptr;
 	vtkNew<vtkDoubleArray> places;
 	places->SetNumberOfComponents(3);
 	places->SetNumberOfTuples(count);
 	for (vtkIdType p = 0; p < count; ++p)
 	{
 		const auto node = static_cast<std::size_t>(ids->GetTuple1(p)) - 1;
-		std::array<double, 3> place = {0.0, 0.0, 0.0}, was, move;
+		std::array<double, 3> place = {0.0, 0.0, 0.0}, was;
 		data->GetPoint(p, was.data());
-		if (moves)
-			moves->GetTuple(p, move.data());
 		for (std::size_t axis = 0; axis < axes.size(); ++axis)
 		{
 			if (node >= axes[axis].size() || !roundsTo(axes[axis][node], was[axis]))
 				return false;
 			place[axis] = axes[axis][node];
 		}
-		for (std::size_t axis = 0; moves && axis < 3; ++axis)
-			place[axis] += displace * move[axis];
 		places->SetTuple(p, place.data());
 	}
 	vtkNew<vtkPoints> points;
@@ -110,7 +89,7 @@ bool hasDoubleExodusPoints(const std::string& path)
 	return false;
 }
 
-bool setExodusPoints(const std::string& path, double displace, vtkMultiBlockDataSet* objects)
+bool setExodusPoints(const std::string& path, vtkMultiBlockDataSet* objects)
 {
 	const std::vector<std::vector<double>> axes = exodusCoordinates(NetcdfFile(path));
 	const auto leaf = vtkSmartPointer<vtkCompositeDataIterator>::Take(objects->NewIterator());
@@ -121,8 +100,7 @@ bool setExodusPoints(const std::string& path, double displace, vtkMultiBlockData
 		vtkDataArray* ids =
 		    data ? data->GetPointData()->GetArray(vtkExodusIIReader::GetImplicitNodeIdArrayName()) : nullptr;
 		if (data && data->GetNumberOfPoints() > 0)
-			all_set &=
-			    ids && ids->GetNumberOfTuples() == data->GetNumberOfPoints() && setPointsOf(data, ids, axes, displace);
+			all_set &= ids && ids->GetNumberOfTuples() == data->GetNumberOfPoints() && setPointsOf(data, ids, axes);
 	}
 	return all_set;
 }

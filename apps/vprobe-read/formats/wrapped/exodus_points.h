@@ -7,7 +7,6 @@ class vtkMultiBlockDataSet;
 // True if VTK's reader would lose digits of the coordinates, for it makes single precision of them.
 bool hasDoubleExodusPoints(const std::string& file);
 
-// Gives the points the coordinates that the file has for their nodes, plus displacements times `displace`. The data
-// sets have the numbers of their nodes, and the displacements as the first array of vectors whose name begins with
-// "dis", in any case. False if the points of a data set are not the file's, whose points then stay as they are.
-bool setExodusPoints(const std::string& file, double displace, vtkMultiBlockDataSet* objects);
+// Gives the points the coordinates that the file has for their nodes. The data sets have the numbers of their nodes.
+// False if the points of a data set are not the file's, whose points then stay as they are.
+bool setExodusPoints(const std::string& file, vtkMultiBlockDataSet* objects);

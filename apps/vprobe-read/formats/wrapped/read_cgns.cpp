@@ -1,5 +1,7 @@
+#include "cgns_steps.h"
 #include "vprobe-read/base/mapped_text.h"
 #include "vprobe-read/base/refusal.h"
+#include "vprobe-read/base/stand_in.h"
 #include "vprobe-read/checks/complaints.h"
 #include "vprobe-read/formats/formats.h"
 #include "vprobe-read/hdf5/hdf5_file.h"
@@ -18,6 +20,8 @@
 #include <charconv>
 #include <filesystem>
 #include <fstream>
+#include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -103,17 +107,6 @@ bool hasPyramids13(const Hdf5File& file, const std::string& list)
 	return false;
 }
 
-// The nodes of a kind, by their paths.
-std::vector<std::string> cgnsChildren(const Hdf5File& file, const std::string& parent, std::string_view label)
-{
-	std::vector<std::string> found;
-	for (const std::string& child : file.namesIn(parent))
-		if (const std::string path = (parent == "/" ? "" : parent) + "/" + child;
-		    !file.isSet(path) && file.textOr(path, "label") == label)
-			found.push_back(path);
-	return found;
-}
-
 // VTK's reader leaves pyramids of 13 nodes out without a word.
 void refusePyramids13(const Hdf5File& file)
 {
@@ -133,8 +126,8 @@ void refusePyramids13(const Hdf5File& file)
 			}
 }
 
-// VTK's reader leaves a base out whose times do not rise, and shows the last of the steps that have one time.
-void checkCgnsTimes(const Hdf5File& file, ManifestWriter& manifest)
+// VTK's reader shows the last of the steps that have one time.
+void tellOfEqualTimes(const Hdf5File& file, ManifestWriter& manifest)
 {
 	for (const std::string& base : cgnsChildren(file, "/", "CGNSBase_t"))
 		for (const std::string& steps : cgnsChildren(file, base, "BaseIterativeData_t"))
@@ -142,9 +135,6 @@ void checkCgnsTimes(const Hdf5File& file, ManifestWriter& manifest)
 			if (!file.isSet(steps + "/TimeValues/ data"))
 				continue;
 			const std::vector<double> times = file.reals(steps + "/TimeValues/ data");
-			if (!std::ranges::is_sorted(times))
-				throw Refusal("its times (TimeValues) do not rise, which VTK's CGNS reader wants; write its steps in "
-				              "the order of their times");
 			if (const std::size_t distinct = inOrder(times).size(); distinct < times.size())
 				manifest.warn(fmt::format("{} of its {} steps have the time of another; the last one of each time is "
 				                          "shown",
@@ -158,11 +148,26 @@ void readCgns(const Request& request, ManifestWriter& manifest)
 {
 	refuseShortAdf(request.file);
 	refuseMissingParts(request.file);
+	std::vector<double> times;                                  // if they do not rise
+	std::unique_ptr<MemoryFile> numbered;                       // a copy that VTK's reader takes then
 	if (MappedText(request.file).text().starts_with("\x89HDF")) // files of ADF are not looked at
 	{
 		const Hdf5File file(request.file);
 		refusePyramids13(file);
-		checkCgnsTimes(file, manifest);
+		times = unsortedCgnsTimes(file);
+		if (times.empty())
+			tellOfEqualTimes(file, manifest);
+		else
+			numbered = withNumberedSteps(file, request.file);
+	}
+	Request at = request;
+	std::optional<StandIn> stands_in;
+	if (numbered)
+	{
+		const StepsInTime steps = stepsInTime(times, manifest);
+		stands_in.emplace(request.file, numbered->path());
+		at.time = Request::Time::nearest;
+		at.time_value = static_cast<double>(steps.steps[chooseStep(steps.times, request)]);
 	}
 	vtkNew<vtkCGNSReader> reader;
 	if (!reader->CanReadFile(request.file.c_str()))
@@ -175,15 +180,17 @@ void readCgns(const Request& request, ManifestWriter& manifest)
 	reader->EnableAllCellArrays();
 	reader->SetLoadBndPatch(false);
 	reader->SetDoublePrecisionMesh(1);
-	updateAtTime(*reader, request, manifest);
+	updateAtTime(*reader, at, manifest);
 	if (wasNoted("refer to invalid solution nodes"))
 	{
 		// The reader would show the first solution at each time.
 		reader->SetUseUnsteadyPattern(true);
-		updateAtTime(*reader, request, manifest);
+		updateAtTime(*reader, at, manifest);
 		manifest.warn("solutions belong to times by the number at the end of their names; where none fits, the first "
 		              "one is shown");
 	}
+	if (numbered)
+		manifest.offerTimes(stepsInTime(times, manifest).times);
 	manifest.add(reader->GetOutputDataObject(0));
 	// Names stand in both kinds of CGNS files as they are.
 	if (manifest.isEmpty() && MappedText(request.file).text().find("ParentElements") != std::string_view::npos)

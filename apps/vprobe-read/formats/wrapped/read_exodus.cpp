@@ -90,7 +90,7 @@ void readExodus(const Request& request, ManifestWriter& manifest)
 		throw Refusal("not an Exodus II file, though its first bytes are netCDF's or HDF5's");
 	refuseMissingExodus(request.file);
 	reader->SetFileName(request.file.c_str());
-	reader->SetApplyDisplacements(false); // which it would add in single precision
+	reader->SetApplyDisplacements(false); // that is done for all formats
 	reader->UpdateInformation();
 	refuseOnComplaint();
 	for (const std::string& name : repeatedExodusNames(request.file))
@@ -99,7 +99,7 @@ void readExodus(const Request& request, ManifestWriter& manifest)
 	const std::vector<OddExodusBlock> odd_blocks = oddExodusBlocks(request.file);
 	reader->SetSqueezePoints(odd_blocks.empty());
 	reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, is_odd ? 0 : 1);
-	const bool sets_points = request.displace != 0.0 || hasDoubleExodusPoints(request.file);
+	const bool sets_points = hasDoubleExodusPoints(request.file);
 	const bool numbers_nodes = is_odd || sets_points;
 	// VTK 9.1 crashes where it is to number points that it does not squeeze. Those are all nodes of the file, in order.
 	reader->SetGenerateImplicitNodeIdArray(numbers_nodes && odd_blocks.empty());
@@ -128,7 +128,7 @@ void readExodus(const Request& request, ManifestWriter& manifest)
 		numberNodes(objects);
 	if (is_odd && objects)
 		addOddNodes(oddExodusNodes(request.file, step), objects);
-	if (sets_points && objects && !setExodusPoints(request.file, request.displace, objects))
+	if (sets_points && objects && !setExodusPoints(request.file, objects))
 		manifest.warn("the places of its points have 7 digits");
 	if (!odd_blocks.empty() && objects)
 		putExodusCellsRight(request.file, odd_blocks, reader, objects);

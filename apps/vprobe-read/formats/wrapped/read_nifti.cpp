@@ -111,7 +111,9 @@ void readNifti(const Request& request, ManifestWriter& manifest)
 		image->SetOrigin(place->GetElement(0, 3), place->GetElement(1, 3), place->GetElement(2, 3));
 	}
 	manifest.setLengthUnits(lengthUnitsOfCode(reader->GetNIFTIHeader()->GetXYZTUnits()));
-	manifest.setImaging({"RAS", true, windowOf(*reader->GetNIFTIHeader())});
+	constexpr int kIntentLabel = 1002; // NIFTI_INTENT_LABEL of nifti1.h
+	vtkNIFTIImageHeader& header = *reader->GetNIFTIHeader();
+	manifest.setImaging({"RAS", true, header.GetIntentCode() == kIntentLabel, windowOf(header)});
 	manifest.setTimeUnits(timeUnitsOfCode(reader->GetNIFTIHeader()->GetXYZTUnits()));
 	manifest.addLone(image);
 	manifest.offerTimes(std::move(times));

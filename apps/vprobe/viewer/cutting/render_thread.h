@@ -206,6 +206,10 @@ auto RenderThread::tried(const Work& work) -> decltype(work())
 	{
 		return work();
 	}
+	catch (const parts::Unreadable& error)
+	{
+		return Error{ErrorKind::input, error.what()};
+	}
 	catch (const std::bad_alloc&)
 	{
 		return Error{ErrorKind::out_of_memory, "out of memory; show fewer sheets or a smaller input"};

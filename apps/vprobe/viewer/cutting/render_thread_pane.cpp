@@ -1,4 +1,6 @@
 #include "interact/camera_moves.h"
+#include "picture/facing.h"
+#include "probe/presets.h"
 #include "render/passes/targets.h"
 #include "render/scene/outline.h"
 #include "viewer/cutting/render_thread.h"
@@ -69,8 +71,12 @@ Status RenderThread::drawPane(PresentedFrame& shown, const render::Scene& scene)
 	const PixelSize size = shown.wish.pane->size;
 	render::Scene pane = paneScene(scene, *sheet, size);
 	const render::Frame frame = render::pictureFrame(pane);
-	pane.camera =
-	    interact::faceSheet({scene.camera, frame}, sheet->sheet, flatExtent(session_->blocks(), sheet->sheet));
+	// It looks as the flat pictures of vprobe slice do.
+	const grid::Orientation orientation = picture::orientationOf(session_->blocks());
+	probe::Sheet facing = picture::facingSheet(sheet->sheet, orientation, shown.wish.spec.probe.up.has_value());
+	if (facing.window && probe::reachesAround(*facing.window, session_->blocks().bounds()))
+		facing.window.reset(); // its data fill the pane
+	pane.camera = interact::faceSheet({scene.camera, frame}, facing, flatExtent(session_->blocks(), sheet->sheet));
 	Result<std::shared_ptr<gpu::Image>> image = pane_pictures_.take(*device_, {size.width, size.height});
 	if (!image)
 		return image.error();

@@ -2,6 +2,7 @@
 
 #include "picture/sheet_values.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace vp::app
@@ -9,15 +10,6 @@ namespace vp::app
 
 namespace
 {
-
-bool isCategorical(const session::Session& session, const std::optional<grid::FieldChoice>& field)
-{
-	if (field)
-		for (const grid::Field* of_block : field->inEach(session.blocks()))
-			if (of_block && of_block->categorical)
-				return true;
-	return false;
-}
 
 std::vector<std::uint64_t> sourceCells(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh)
 {
@@ -40,17 +32,16 @@ SheetLookups::SheetLookups(const session::Session& session, std::shared_ptr<cons
 	for (std::size_t s = 0; s < cut_->sheets.size(); ++s)
 	{
 		const cut::SheetCut& sheet = cut_->slice.sheets[s];
-		const mesh::SheetMesh& mesh = cut_->sheets[s].mesh;
 		std::optional<OfSheet>& made = sheets_.emplace_back();
 		if (!sheet.isPlane() || cut_->sheets[s].crinkle)
 			continue;
-		render::SheetValues values = picture::sheetValues(session.blocks(), sheet, mesh, by_generation);
-		made.emplace(OfSheet{.lookup = {mesh, sheet.sheet},
+		picture::ShownPolygons shown = picture::shownPolygons(session.blocks(), sheet, cut_->sheets[s], by_generation);
+		made.emplace(OfSheet{.lookup = {shown.mesh, sheet.sheet},
 		                     .array = {},
-		                     .nearest = !by_generation && isCategorical(session, sheet.field),
-		                     .of_vertices = std::move(values.of_vertices),
-		                     .of_polygons = std::move(values.of_polygons),
-		                     .cells = sourceCells(session.blocks(), mesh)});
+		                     .is_scenes = by_generation || sheet.field == session.view().field,
+		                     .of_vertices = std::move(shown.values.of_vertices),
+		                     .of_polygons = std::move(shown.values.of_polygons),
+		                     .cells = sourceCells(session.blocks(), shown.mesh)});
 		made->array = by_generation ? "generation" : sheet.field ? sheet.field->title(session.blocks()) : "";
 	}
 }
@@ -67,11 +58,23 @@ std::optional<SheetLookups::Found> SheetLookups::at(std::size_t sheet, const glm
 	if (!of.of_polygons.empty())
 		found.value = of.of_polygons[place->polygon];
 	else if (!of.of_vertices.empty())
-		found.value = of.nearest ? of.of_vertices[place->nearestVertex()] : of.lookup.value(*place, of.of_vertices);
+		found.value = of.lookup.value(*place, of.of_vertices);
 	if (blocks_.size() > 1)
 		found.block =
 		    blocks_[place->cell.block].empty() ? std::to_string(place->cell.block) : blocks_[place->cell.block];
 	return found;
+}
+
+void SheetLookups::count(const std::function<double(double value)>& place, std::span<std::size_t> bins) const
+{
+	for (const std::optional<OfSheet>& of : sheets_)
+	{
+		if (!of || !of->is_scenes)
+			continue;
+		for (const double value : of->of_polygons.empty() ? of->of_vertices : of->of_polygons)
+			if (const double at = place(value); at >= 0.0 && at <= 1.0)
+				++bins[std::min(static_cast<std::size_t>(at * static_cast<double>(bins.size())), bins.size() - 1)];
+	}
 }
 
 } // namespace vp::app

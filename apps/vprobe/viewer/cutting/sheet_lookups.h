@@ -5,8 +5,10 @@
 #include "session/session.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,10 @@ public:
 	// there.
 	std::optional<Found> at(std::size_t sheet, const glm::dvec2& content_uv) const;
 
+	// Counts the values that sheets show of the array that the scene shows, in as many bins as `bins` has. place:
+	// returns the place of a value, 0 to 1; values elsewhere do not count.
+	void count(const std::function<double(double value)>& place, std::span<std::size_t> bins) const;
+
 	const std::shared_ptr<const session::Frame>& cut() const { return cut_; }
 
 private:
@@ -38,7 +44,7 @@ private:
 	{
 		measure::SheetLookup lookup;
 		std::string array;
-		bool nearest; // ids and categories are taken from the nearest vertex
+		bool is_scenes; // shows the array of the scene, not one of its own
 		std::vector<double> of_vertices;
 		std::vector<double> of_polygons;
 		std::vector<std::uint64_t> cells; // per polygon, number in the file

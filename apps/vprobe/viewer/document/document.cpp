@@ -1,5 +1,6 @@
 #include "viewer/document/document.h"
 
+#include "interact/camera_moves.h"
 #include "report/console.h"
 #include "view/resolve.h"
 #include "viewer/document/mail.h"
@@ -18,7 +19,7 @@ Document::Document(interact::History<view::ViewSpec> history, std::shared_ptr<gp
       messages_(
           [mail = mail_](Severity severity, std::string_view line)
           {
-	          if (severity == Severity::warning)
+	          if (severity != Severity::error)
 		          mail->leave({std::string(line), false, {}});
 	          else
 		          printLine(line);
@@ -103,13 +104,37 @@ void Document::takePicture()
 	if (newest == shown_)
 		return;
 	shown_ = std::move(newest);
-	if (!takes_camera_ || shown_->wish.number != version_)
+	if (!takes_camera_)
+		return fitAgain();
+	if (shown_->wish.number != version_)
 		return;
+	fitted_size_ = asked_size_;
 	// From now on the camera stays where it was fitted. Undo does not bring the fitting back.
 	takes_camera_ = false;
+	const bool was_given = state().look.camera.kind == render::CameraChoice::Kind::fixed;
 	view::ViewSpec fixed = state();
 	fixed.look.camera = render::fixedCamera(shown_->camera);
+	fitted_camera_ = was_given ? std::nullopt : std::optional(fixed.look.camera);
 	history_.amend(std::move(fixed));
+}
+
+// A window of another size shows the whole scene again, unless the user has moved the camera.
+void Document::fitAgain()
+{
+	const auto isSameSize = [](const PixelSize& a, const PixelSize& b)
+	{ return a.width == b.width && a.height == b.height; };
+	const VkExtent2D extent = shown_->image->extent();
+	// A picture of fewer pixels may be shown for a moment, while something moves.
+	if (!facts_ || isSameSize(asked_size_, fitted_size_) || !isSameSize({extent.width, extent.height}, asked_size_))
+		return;
+	fitted_size_ = asked_size_;
+	if (!fitted_camera_ || *fitted_camera_ != state().look.camera)
+		return;
+	view::ViewSpec fitted = state();
+	fitted.look.camera = render::fixedCamera(interact::fitted(*view(), facts_->extent));
+	fitted_camera_ = fitted.look.camera;
+	history_.amend(std::move(fitted));
+	++version_;
 }
 
 void Document::noteInput(Moment when)

@@ -38,6 +38,12 @@ struct OpenParts
 	// up again between two frames.
 	int search_steps = 0; // downwards
 	bool search_enters = false;
+	// Numbers of menus, from 0 at the left.
+	std::optional<int> open_menu;  // that was open in the last frame
+	std::optional<int> opens_menu; // that opens in the next frame; past the last one is the first
+	bool panel_keys = false;       // keys move through the panel, and do nothing else
+	bool opens_color_map = false;  // the next frame unfolds the color map in the panel, for the keys
+	std::size_t opacity_point = 0; // the chosen point of the color map's opacity
 	bool full_screen = false;
 	bool contour = false;  // a contour follows the pointer over the sheets
 	bool exposure = false; // show all frames of the film loop in one picture
@@ -52,9 +58,18 @@ enum class Question
 	save_picture,
 	save_film,
 	save_slice,
+	save_color_map,
 	save_trace,
 	recover // offer the state that a window left when it ended unexpectedly
 };
+
+// The hints for the first steps, in their order (panels/hints.cpp): what the user does for them.
+constexpr std::size_t kHintOfSheet = 0;
+constexpr std::size_t kHintOfHandles = 1;
+constexpr std::size_t kHintOfCamera = 2;
+constexpr std::size_t kHintOfSweep = 3;
+constexpr std::size_t kHintOfSearch = 4;
+constexpr std::size_t kHints = 5;
 
 using ReadState = std::function<Result<view::ViewSpec>(const std::string& file)>;
 
@@ -87,6 +102,11 @@ public:
 	std::optional<interact::View> view() const; // the view of the last picture
 
 	void perform(interact::Action action);
+	// Sets a setting by its key (view/settings.h) to a value as on the command line. Those that open data or a device
+	// cannot be set, except the time.
+	Status set(std::string_view key, const std::string& value);
+	// Goes on to the next hint for the first steps, if the user has done what this one shows.
+	void learned(std::size_t hint);
 
 	// --- Files. A failure shows a notice and changes nothing.
 	// Loads files while the window goes on showing the old data. A single .json file is a state.
@@ -97,6 +117,8 @@ public:
 	void showTime(int step, const std::string& merge = {});
 	const DatasetInfo::Array* shownArray() const; // the array that the state shows; null without arrays
 	const std::optional<DatasetInfo>& facts() const { return facts_; }
+	// Returns the color map as --colormap names it, also where the state leaves it to the file. Labels have none.
+	std::string colorMapName() const;
 	int timeStep() const; // index of the state's time among the times of the input
 	void saveState(const std::string& file);
 	const std::string& stateFile() const
@@ -106,7 +128,8 @@ public:
 	void savePicture(const std::string& file, std::uint32_t width, std::uint32_t height);
 	void saveSlice(const std::string& file);
 	void saveTrace(const std::string& file);
-	void recover(bool wanted); // answers Question::recover
+	void saveColorMap(const std::string& file); // as --colormap reads it
+	void recover(bool wanted);                  // answers Question::recover
 
 	Playback& playback() { return playback_; }
 	const Playback& playback() const { return playback_; }
@@ -149,6 +172,7 @@ public:
 
 private:
 	void stateChanged();
+	void fitAgain();
 	void load(view::ViewSpec next);
 	void takeLoaded();
 	void takePicture();
@@ -158,10 +182,13 @@ private:
 	void watchFiles();
 
 	// Each function handles one group of actions, and returns false for any other action.
+	void undo();
+	void redo();
 	bool performOnWindow(interact::Action action);
 	bool performOnProbe(interact::Action action);
 	bool performOnSheets(interact::Action action);
 	bool performOnView(interact::Action action);
+	bool moveCamera(interact::Action action);
 	bool performOnLook(interact::Action action);
 	void setPreset(view::ProbeShape shape);
 	void stepArray(int by);
@@ -187,6 +214,10 @@ private:
 	std::optional<session::PointedValue> pointed_contour_;
 	std::optional<Moment> input_; // time of the oldest input that no request has answered yet
 	bool takes_camera_ = true;    // the state takes over the camera of the next picture
+	// The camera of the state, where it was fitted to the window and not moved since: it is fitted again to a window of
+	// another size.
+	std::optional<render::CameraChoice> fitted_camera_;
+	PixelSize fitted_size_{};
 
 	std::string state_file_;
 	std::string recovery_file_;

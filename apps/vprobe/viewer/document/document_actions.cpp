@@ -34,12 +34,30 @@ T after(T value, const std::array<T, Count>& values)
 
 void Document::perform(Action action)
 {
+	if (action == Action::play)
+		learned(kHintOfSweep);
 	if (performOnWindow(action) || playback_.perform(action))
 		return;
 	for (const auto part :
 	     {&Document::performOnSheets, &Document::performOnProbe, &Document::performOnView, &Document::performOnLook})
 		if ((this->*part)(action))
 			return;
+}
+
+void Document::undo()
+{
+	if (history_.canUndo())
+		notify(fmt::format("Undone: {}", history_.undoLabel()));
+	if (history_.undo())
+		stateChanged();
+}
+
+void Document::redo()
+{
+	if (history_.canRedo())
+		notify(fmt::format("Done again: {}", history_.redoLabel()));
+	if (history_.redo())
+		stateChanged();
 }
 
 bool Document::performOnWindow(Action action)
@@ -60,23 +78,19 @@ bool Document::performOnWindow(Action action)
 		return ask(Question::save_film);
 	case Action::save_slice:
 		return ask(Question::save_slice);
+	case Action::save_color_map:
+		return ask(Question::save_color_map);
 	case Action::cancel:
 		if (loader_.isBusy())
 			cancelLoading();
+		else if (!playback_.recording() && !notices_.all().empty())
+			dismiss(std::string(notices_.all().back().words));
 		parts.help = false;
 		return false; // the sweep has something to cancel too
 	case Action::undo:
-		if (history_.canUndo())
-			notify(fmt::format("Undone: {}", history_.undoLabel()));
-		if (history_.undo())
-			stateChanged();
-		return true;
+		return undo(), true;
 	case Action::redo:
-		if (history_.canRedo())
-			notify(fmt::format("Done again: {}", history_.redoLabel()));
-		if (history_.redo())
-			stateChanged();
-		return true;
+		return redo(), true;
 	case Action::quit:
 		quit();
 		return true;
@@ -106,18 +120,38 @@ bool Document::performOnWindow(Action action)
 		settings.text_size = std::max(settings.text_size / kTextStep, kMinTextSize);
 		return true;
 	case Action::find_command:
+		learned(kHintOfSearch);
 		return toggle(parts.command_search);
 	case Action::hints:
 		settings.hint = settings.hint ? std::nullopt : std::optional<std::size_t>(0);
 		return true;
 	case Action::help:
+		learned(kHintOfSearch);
 		return toggle(parts.help);
+	case Action::menus:
+		parts.opens_menu = 0;
+		return true;
+	case Action::panel_keys:
+		parts.panels = parts.panels || !parts.panel_keys;
+		return toggle(parts.panel_keys);
+	case Action::color_map:
+		parts.panels = parts.panel_keys = parts.opens_color_map = true;
+		return true;
 	default:
 		return false;
 	}
 }
 
+// The camera fits the scene into the window then.
 bool Document::performOnView(Action action)
+{
+	const bool done = moveCamera(action);
+	if (done)
+		fitted_camera_ = state().look.camera;
+	return done;
+}
+
+bool Document::moveCamera(Action action)
 {
 	const std::optional<interact::View> seen = view();
 	if (!seen || !facts_)

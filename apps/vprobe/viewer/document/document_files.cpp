@@ -1,6 +1,9 @@
+#include "render/color/color_map_file.h"
+#include "render/color/preset_text.h"
 #include "view/state_file.h"
 #include "viewer/document/document.h"
 #include "viewer/document/mail.h"
+#include "write/atomic_file.h"
 #include "write/png.h"
 #include "write/slice_file.h"
 #include "write/trace_file.h"
@@ -134,6 +137,32 @@ void Document::saveTrace(const std::string& file)
 			          return noticeOf(trace.error(), {});
 		          trace->add(std::move(sections));
 		          return noticeOf(trace->commit(), fmt::format("Saved {}", file));
+	          });
+}
+
+std::string Document::colorMapName() const
+{
+	if (!state().look.colormap.empty())
+		return state().look.colormap;
+	return shown_ ? shown_->colormap : "viridis";
+}
+
+void Document::saveColorMap(const std::string& file)
+{
+	Result<render::ColorMap> map = render::chooseColorMap(colorMapName());
+	if (!map)
+		return notify(map.error());
+	const render::OpacityPoints points = render::opacityPoints(state().look.opacity_points);
+	render::ColorMap edited = render::withOpacity(std::move(*map), points);
+	edited.name = std::filesystem::path(file).stem().string();
+	jobs_.run(file,
+	          [file, text = render::presetText(edited, points)]
+	          {
+		          Result<write::AtomicFile> written = write::AtomicFile::create(file);
+		          if (!written)
+			          return noticeOf(written.error(), {});
+		          written->write(text);
+		          return noticeOf(written->commit(), fmt::format("Saved {}", file));
 	          });
 }
 

@@ -181,7 +181,7 @@ bool Playback::perform(Action action)
 void Playback::setSpeed(double factor)
 {
 	const double speed =
-	    std::clamp(document_.state().sweep.frames_per_second * factor, interact::kMinSpeed, interact::kMaxSpeed);
+	    std::clamp(view::framesPerSecond(document_.state().sweep) * factor, interact::kMinSpeed, interact::kMaxSpeed);
 	document_.change(
 	    "Speed", [&](view::ViewSpec& next) { next.sweep.frames_per_second = speed; }, "speed");
 	path_.player.setSpeed(speed, seconds());
@@ -289,7 +289,7 @@ void Playback::saveFilm(const std::string& file)
 		return document_.notify("Record the sweep first: what is saved is its film loop", true);
 	document_.notify(fmt::format("Writing {}", file));
 	jobs_.run(file,
-	          [film = film_, file, per_second = document_.state().sweep.frames_per_second]
+	          [film = film_, file, per_second = view::filmSpeed(document_.state().sweep, film_->frames())]
 	          {
 		          const Status written = writeFilm(*film, file, per_second);
 		          return noticeOf(written, fmt::format("Saved {}", file));

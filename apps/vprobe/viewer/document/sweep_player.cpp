@@ -30,7 +30,7 @@ Status SweepPlayer::follow(const view::ViewSpec& state, const DatasetInfo& facts
 	over_times_ = sweep.over_times;
 	if (over_times_ && facts.times.empty())
 		return Error{ErrorKind::usage, "the input has no times to play; choose another path"};
-	if (!sweep.frames && !over_times_ && !probe::framesOf(path, sweep.frames_per_second))
+	if (!sweep.frames && !over_times_ && !probe::framesOf(path, view::framesPerSecond(sweep)))
 		sweep.frames = kFrames;
 	const Result<int> frames = over_times_ ? static_cast<int>(facts.times.size()) : view::frameCount(sweep);
 	if (!frames)
@@ -41,7 +41,7 @@ Status SweepPlayer::follow(const view::ViewSpec& state, const DatasetInfo& facts
 	start_ = state;
 	placed_ = state;
 	player.setFrames(*frames, now);
-	player.setSpeed(sweep.frames_per_second, now);
+	player.setSpeed(view::framesPerSecond(sweep), now);
 	return Nothing{};
 }
 

@@ -48,9 +48,7 @@ void item(Desk& desk, const std::string& word, const std::string& now)
 
 void showColorMapChoice(Desk& desk)
 {
-	std::string now = desk.document.state().look.colormap;
-	if (now.empty())
-		now = desk.document.shown() ? desk.document.shown()->colormap : "viridis";
+	const std::string now = desk.document.colorMapName();
 	labeled("Map");
 	const ImVec2 at = ImGui::GetCursorScreenPos();
 	const float width = ImGui::CalcItemWidth();

@@ -10,7 +10,7 @@ namespace vp::app
 namespace
 {
 
-constexpr std::array kHints{
+constexpr std::array<const char*, kHints> kHintWords{
     "Drag the sheet. It moves along its normal, and the cut follows.",
     "Drag an arrow to move the probe, or a ring to turn it. The handles come when the pointer is near the sheet.",
     "Drag beside the sheet to turn the view. The wheel with Ctrl zooms to the pointer.",
@@ -25,7 +25,7 @@ void showHints(Desk& desk, const ScenePart& part)
 	std::optional<std::size_t>& hint = desk.document.settings.hint;
 	if (!hint || !desk.document.view())
 		return;
-	const std::size_t now = std::min(*hint, kHints.size() - 1);
+	const std::size_t now = std::min(*hint, kHints - 1);
 	const auto width = static_cast<float>(std::min(400.0 * desk.scale, 0.9 * part.size.x));
 	ImGui::SetNextWindowPos(
 	    {static_cast<float>(part.lo.x + 0.5 * part.size.x), static_cast<float>(part.lo.y + 12.0 * desk.scale)},
@@ -37,11 +37,11 @@ void showHints(Desk& desk, const ScenePart& part)
 	             ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
 	                 ImGuiWindowFlags_NoFocusOnAppearing);
 	ImGui::PushTextWrapPos();
-	ImGui::TextUnformatted(kHints[now]);
+	ImGui::TextUnformatted(kHintWords[now]);
 	ImGui::PopTextWrapPos();
 	ImGui::AlignTextToFramePadding();
-	ImGui::TextDisabled("%s", fmt::format("{} of {}", now + 1, kHints.size()).c_str());
-	const bool is_last = now + 1 == kHints.size();
+	ImGui::TextDisabled("%s", fmt::format("{} of {}", now + 1, kHints).c_str());
+	const bool is_last = now + 1 == kHints;
 	const char* next = is_last ? "Done" : "Next";
 	const ImGuiStyle& style = ImGui::GetStyle();
 	const auto widthOf = [&](const char* label) { return ImGui::CalcTextSize(label).x + 2.0f * style.FramePadding.x; };

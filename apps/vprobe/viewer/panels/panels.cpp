@@ -23,7 +23,7 @@ ScenePart showPanels(Desk& desk)
 	showMenu(desk);
 	const ImGuiViewport& all = *ImGui::GetMainViewport();
 	ScenePart scene{{all.WorkPos.x, all.WorkPos.y}, {all.WorkSize.x, all.WorkSize.y}};
-	if (desk.document.parts.panels)
+	if (desk.document.parts.panels && scene.size.y > kLineHeight * desk.scale)
 	{
 		const double line = kLineHeight * desk.scale;
 		scene.size.y -= line;
@@ -32,8 +32,10 @@ ScenePart showPanels(Desk& desk)
 		scene.size.x -= side;
 		showSidePanel(desk, {{scene.lo.x + scene.size.x, scene.lo.y}, {side, scene.size.y}});
 	}
+	scene.size = glm::max(scene.size, glm::dvec2(0.0)); // a window may be lower than its menu
 	showScene(desk, scene);
 	showPlanePane(desk, scene);
+	showWayBack(desk, scene);
 	showNotices(desk, desk.document.parts.plane_pane ? abovePane(scene, desk.scale) : scene);
 	if (desk.document.parts.profile)
 		showProfile(desk, scene);

@@ -5,6 +5,9 @@
 #include "viewer/panels/theme.h"
 #include "viewer/pointer/pointer_controller.h"
 
+#include <algorithm>
+#include <cstdint>
+
 namespace vp::app
 {
 
@@ -16,6 +19,13 @@ struct Desk
 	const Meter& meter;
 	double scale; // the screen's scale
 };
+
+// Returns the size of a part in whole pixels; none for a part that a small window has no room for.
+inline PixelSize pixelsOf(const ScenePart& part)
+{
+	const auto whole = [](double side) { return static_cast<std::uint32_t>(std::max(0.0, side)); };
+	return {whole(part.size.x), whole(part.size.y)};
+}
 
 // Each draws one part of the user interface, with ImGui, from the document's state and into it.
 
@@ -29,6 +39,7 @@ void showStatusLine(Desk& desk, const ScenePart& room);
 void showScene(Desk& desk, const ScenePart& part); // draws handles, and what is under the pointer
 void followPointer(Desk& desk);                    // moves the contour that follows the pointer
 void showPlanePane(Desk& desk, const ScenePart& part);
+void showWayBack(Desk& desk, const ScenePart& part); // where the probe has left the data
 void showNotices(Desk& desk, const ScenePart& part);
 void showProfile(Desk& desk, const ScenePart& part);
 void showStartPage(Desk& desk, const ScenePart& part); // before anything is loaded

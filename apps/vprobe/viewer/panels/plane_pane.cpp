@@ -36,7 +36,7 @@ void hearWheel(Desk& desk)
 
 ScenePart paneOf(const ScenePart& scene, double scale)
 {
-	const double most = std::min(scene.size.x - 2.0 * kMargin * scale, kMaxWidth * scale);
+	const double most = std::clamp(scene.size.x - 2.0 * kMargin * scale, 0.0, kMaxWidth * scale);
 	const double width =
 	    std::floor(std::clamp(kPartOfScene * scene.size.x, std::min(kMinPaneWidth * scale, most), most));
 	const double height = std::floor(std::min(kAspect * width, 0.5 * scene.size.y));
@@ -50,10 +50,8 @@ void showPlanePane(Desk& desk, const ScenePart& part)
 {
 	const ScenePart pane = paneOf(part, desk.scale);
 	const bool open = desk.document.parts.plane_pane && desk.document.shown();
-	desk.document.setPane(
-	    open ? PixelSize{static_cast<std::uint32_t>(pane.size.x), static_cast<std::uint32_t>(pane.size.y)}
-	         : PixelSize{});
-	if (!open || !desk.document.shown()->pane)
+	desk.document.setPane(open ? pixelsOf(pane) : PixelSize{});
+	if (!open || !desk.document.shown()->pane || pixelsOf(pane).height == 0)
 		return;
 	ImGui::SetNextWindowPos(asImVec(pane.lo));
 	ImGui::SetNextWindowSize(asImVec(pane.size));

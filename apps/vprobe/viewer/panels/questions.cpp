@@ -37,6 +37,8 @@ constexpr std::array kFileQuestions{
                  "The film loop that was recorded; a .png with {frame} in its name is a picture a frame"},
     FileQuestion{Question::save_slice, "Export the slice", "Export", ".vtp .vtm .ply .csv", "slice.vtp",
                  "Polygons with all arrays: .vtp, .vtm (a file a sheet), .ply, or .csv as a table"},
+    FileQuestion{Question::save_color_map, "Save the color map", "Save", ".json", "colormap.json",
+                 "The map and its opacities: --colormap FILE.json takes them, and so does ParaView"},
     FileQuestion{Question::save_trace, "Write a trace", "Write", ".json", "trace.json",
                  "Where the time of the last minute went, for ui.perfetto.dev or chrome://tracing"},
 };
@@ -98,6 +100,9 @@ void take(Desk& desk, const FileQuestion& asked)
 		break;
 	case Question::save_film:
 		document.playback().saveFilm(file);
+		break;
+	case Question::save_color_map:
+		document.saveColorMap(file);
 		break;
 	case Question::save_trace:
 		document.saveTrace(file);

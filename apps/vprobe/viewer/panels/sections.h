@@ -20,6 +20,7 @@ enum class ShownWhen
 	X("Data", "What is loaded", showDataSection, always, true)                                                         \
 	X("Probe", "The sheets, where they stand, their windows", showProbeSection, loaded, true)                          \
 	X("Colors", "What array the sheets show, and how", showColorSection, loaded, true)                                 \
+	X("Color map", "The map, and how opaque each value is", showColorMapSection, loaded, false)                        \
 	X("Vectors", "Arrows, and paths of particles, launched from the sheets", showVectorSection, vectors, false)        \
 	X("Contours", "Surfaces of one value, grown from the sheets", showContourSection, loaded, false)                   \
 	X("Time", "The input's time steps", showTimeSection, times, true)                                                  \

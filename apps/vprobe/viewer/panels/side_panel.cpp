@@ -38,17 +38,39 @@ bool isShown(const Section& section, const std::optional<DatasetInfo>& data)
 	return false;
 }
 
+// Brings the section of the last heading to the top, and the keyboard to it.
+void reachSection(Desk& desk)
+{
+	desk.document.parts.opens_color_map = false;
+	ImGui::SetScrollHereY(0.0f);
+	focusLastItem();
+}
+
 } // namespace
 
 void showSidePanel(Desk& desk, const ScenePart& room)
 {
-	beginFixed("side", room, ImGuiWindowFlags_AlwaysVerticalScrollbar);
+	static bool had_keys = false;
+	const bool has_keys = desk.document.parts.panel_keys;
+	if (has_keys && !had_keys)
+		ImGui::SetNextWindowFocus();
+	beginFixed("side", room, ImGuiWindowFlags_AlwaysVerticalScrollbar, has_keys);
+	if (!has_keys && had_keys)
+		ImGui::SetWindowFocus(nullptr);
+	had_keys = has_keys;
 	for (const Section& section : kSections)
 	{
 		if (!isShown(section, desk.document.facts()))
 			continue;
+		const bool comes = section.show == showColorMapSection && desk.document.parts.opens_color_map;
+		if (comes)
+			ImGui::SetNextItemOpen(true);
 		const bool open = ImGui::CollapsingHeader(section.name, section.unfolded ? ImGuiTreeNodeFlags_DefaultOpen : 0);
-		tip(section.tip);
+		if (comes)
+			reachSection(desk);
+		// For keys it would hide what the section shows.
+		if (ImGui::IsMouseHoveringRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()))
+			tip(section.tip);
 		if (!open)
 			continue;
 		ImGui::PushID(section.name);

@@ -95,7 +95,7 @@ void showStartPage(Desk& desk, const ScenePart& part)
 	ImGui::Begin("start", nullptr,
 	             ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
 	                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoBackground |
-	                 ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav);
+	                 ImGuiWindowFlags_NoBringToFrontOnFocus);
 	ImGui::SetWindowFontScale(1.6f);
 	ImGui::TextUnformatted("Volume Probes");
 	ImGui::SetWindowFontScale(1.0f);

@@ -72,7 +72,7 @@ void showFrameCount(Desk& desk)
 
 void showSpeed(Desk& desk)
 {
-	double speed = desk.document.state().sweep.frames_per_second;
+	double speed = view::framesPerSecond(desk.document.state().sweep);
 	labeled("Speed");
 	if (dragNumbers(desk,
 	                {.id = "##speed",

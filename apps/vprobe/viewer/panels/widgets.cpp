@@ -5,6 +5,7 @@
 #include "interact/steps.h"
 
 #include <fmt/format.h>
+#include <imgui/imgui_internal.h>
 
 #include <algorithm>
 #include <array>
@@ -40,13 +41,15 @@ bool pointerRests()
 	return ImGui::GetTime() - moved > kRestSeconds;
 }
 
-void beginFixed(const char* name, const ScenePart& room, ImGuiWindowFlags more)
+void beginFixed(const char* name, const ScenePart& room, ImGuiWindowFlags more, bool takes_keys)
 {
+	if (!takes_keys)
+		more |= ImGuiWindowFlags_NoNav;
 	ImGui::SetNextWindowPos({static_cast<float>(room.lo.x), static_cast<float>(room.lo.y)});
 	ImGui::SetNextWindowSize({static_cast<float>(room.size.x), static_cast<float>(room.size.y)});
 	ImGui::Begin(name, nullptr,
 	             ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-	                 ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav |
+	                 ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoBringToFrontOnFocus |
 	                 ImGuiWindowFlags_NoBackground | more); // the screen has its color already (gpu_screen.cpp)
 }
 
@@ -84,6 +87,14 @@ void actionItem(Desk& desk, interact::Action action)
 	if (ImGui::MenuItem(std::string(interact::wordsOf(action)).c_str(), interact::keysOf(action).c_str(),
 	                    isOn(desk.document, action), isPossible(desk.document, action)))
 		desk.document.perform(action);
+}
+
+void focusLastItem()
+{
+	ImGuiContext& now = *ImGui::GetCurrentContext();
+	ImGui::SetFocusID(now.LastItemData.ID, now.CurrentWindow);
+	now.NavDisableHighlight = false;
+	now.NavDisableMouseHover = true; // until the mouse moves
 }
 
 float shareOfLine(int count)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "viewer/document/action_state.h"
 #include "viewer/panels/panels.h"
 
 #include <functional>
@@ -12,8 +13,8 @@ namespace vp::app
 
 // Controls for panels. Each has a tooltip, and each change is a step of the history.
 
-// Begins a part of the window that stays where it is.
-void beginFixed(const char* name, const ScenePart& room, ImGuiWindowFlags more = 0);
+// Begins a part of the window that stays where it is. takes_keys: the keyboard moves through it.
+void beginFixed(const char* name, const ScenePart& room, ImGuiWindowFlags more = 0, bool takes_keys = false);
 
 bool pointerRests(); // returns true if the pointer has been still for a moment
 
@@ -24,8 +25,9 @@ std::string tipOf(interact::Action action); // returns what the action does, and
 // A button with `label` that performs the action. Its tooltip is tipOf().
 bool actionButton(Desk& desk, interact::Action action, const char* label, float width = 0.0f);
 void actionItem(Desk& desk, interact::Action action); // an item of a menu, with a check mark if it is on
-bool isOn(const Document& document, interact::Action action);
-bool isPossible(const Document& document, interact::Action action);
+
+// Gives the keyboard to the last control, and shows that it has it.
+void focusLastItem();
 
 // Returns the width of one of `count` controls that share the rest of the line.
 float shareOfLine(int count);

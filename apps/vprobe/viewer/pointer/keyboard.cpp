@@ -1,5 +1,6 @@
 #include "viewer/pointer/keyboard.h"
 
+#include "viewer/document/action_state.h"
 #include "viewer/pointer/key_codes.h"
 
 #include <imgui/imgui.h>
@@ -20,33 +21,61 @@ bool isForInterface(const Document& document)
 	       ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
 }
 
+// While keys move through the panel, those that no control uses still do what they do elsewhere.
+bool isForPanel(const interact::Chord& chord)
+{
+	return !chord.ctrl && chord.key < interact::Key::f1;
+}
+
+// An action that a menu shows in gray has no key either. Escape always has something to close.
+bool mayPerform(const Document& document, interact::Action action)
+{
+	return action == interact::Action::cancel || isPossible(document, action);
+}
+
 } // namespace
 
 void Keyboard::press(int key, bool down, int modifiers)
 {
 	hand_.setKeys(modifiersOf(key, down, modifiers));
+	const auto chord = chordOf(key, modifiers);
+	if (chord && (chord->key == interact::Key::left || chord->key == interact::Key::right))
+		holds_sideways_ = down;
 	if (!down)
 		return;
-	const auto chord = chordOf(key, modifiers);
+	if (chord && !chord->ctrl && !chord->alt)
+		pressed_.push_back(chord->key);
 	// This works even while a text is being typed.
 	if (chord == interact::Chord{interact::Key::escape} && closeQuestion())
 		return;
 	if (chord && document_.parts.command_search && searches(chord->key))
 		return;
+	if (document_.parts.panel_keys && chord && isForPanel(*chord))
+		return leavePanel(*chord);
 	const auto meant = chord ? interact::actionOf(*chord) : std::nullopt;
-	const bool closes = meant == interact::Action::find_command && document_.parts.command_search;
-	const auto action = closes || !isForInterface(document_) ? meant : std::nullopt;
+	// The search opens and closes while a text is being typed, too. On a slow machine a text field that is gone has the
+	// keyboard for another frame.
+	const bool searches = meant == interact::Action::find_command && document_.question == Question::none;
+	const auto action = searches || !isForInterface(document_) ? meant : std::nullopt;
 	served_ = action.has_value();
-	if (action)
+	if (action && mayPerform(document_, *action))
 		document_.perform(*action);
+}
+
+// Escape closes a list of the panel first.
+void Keyboard::leavePanel(const interact::Chord& chord)
+{
+	served_ = true;
+	if (chord.key == interact::Key::escape && !isForInterface(document_))
+		document_.parts.panel_keys = false;
 }
 
 void Keyboard::type(char32_t character)
 {
 	const bool is_sign = character > U' ' && character < 0x7f && !std::isalnum(static_cast<unsigned char>(character));
-	if (!is_sign || served_ || isForInterface(document_))
+	if (!is_sign || served_ || isForInterface(document_) || document_.parts.panel_keys)
 		return;
-	if (const auto action = interact::actionOf({interact::key(character)}))
+	if (const auto action = interact::actionOf({interact::key(character)}); action && mayPerform(document_, *action))
 		document_.perform(*action);
 }
 
@@ -64,10 +93,10 @@ bool Keyboard::searches(interact::Key key)
 	return true;
 }
 
-// The question about a state to recover needs an answer, so Escape does not close it.
+// A state to recover that is neither taken nor forgotten is offered again by the next window.
 bool Keyboard::closeQuestion()
 {
-	const bool asks = document_.question != Question::none && document_.question != Question::recover;
+	const bool asks = document_.question != Question::none;
 	if (asks)
 		document_.question = Question::none;
 	const bool searches = std::exchange(document_.parts.command_search, false);

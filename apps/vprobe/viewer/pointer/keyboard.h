@@ -3,6 +3,9 @@
 #include "viewer/document/document.h"
 #include "viewer/pointer/pointer_controller.h"
 
+#include <utility>
+#include <vector>
+
 namespace vp::app
 {
 
@@ -16,12 +19,21 @@ public:
 	// Handles a typed character, right after its key. Signs such as ? are on different keys on different keyboards.
 	void type(char32_t character);
 
+	// Returns true while the left or right arrow key is down.
+	bool holdsSideways() const { return holds_sideways_; }
+	// Returns the arrow keys and Enter that went down since the last call. ImGui sees a key only while it is down, and
+	// a quick one may be up again between two frames.
+	std::vector<interact::Key> takePressed() { return std::exchange(pressed_, {}); }
+
 private:
 	bool closeQuestion();
+	void leavePanel(const interact::Chord& chord);
 	bool searches(interact::Key key); // handles a key of the search for commands; false if the search does not use it
 
 	Document& document_;
 	PointerController& hand_;
+	std::vector<interact::Key> pressed_;
+	bool holds_sideways_ = false;
 	bool served_ = false; // the last key that went down did something
 };
 

@@ -4,6 +4,7 @@
 #include "interact/nudge.h"
 
 #include <cmath>
+#include <utility>
 
 namespace vp::app
 {
@@ -93,6 +94,8 @@ void PointerController::release(Button button)
 	if (held_ != button)
 		return;
 	held_.reset();
+	if (std::exchange(has_dragged_, false))
+		noteLearned();
 	grip_ = std::monostate();
 	document_.endMerge();
 	look();
@@ -109,8 +112,19 @@ interact::Modifiers PointerController::keysFor(const interact::Drag& drag) const
 	return keys;
 }
 
+// The hints for the first steps go on once a step was done.
+void PointerController::noteLearned()
+{
+	const auto* drag = std::get_if<interact::Drag>(&grip_);
+	if (std::holds_alternative<CameraGrip>(grip_))
+		document_.learned(kHintOfCamera);
+	else if (drag)
+		document_.learned(drag->handle().kind == interact::HandleKind::sheet ? kHintOfSheet : kHintOfHandles);
+}
+
 void PointerController::drag()
 {
+	has_dragged_ = true;
 	const glm::dvec2 pixel = inScene();
 	if (const auto* drag = std::get_if<interact::Drag>(&grip_))
 		return document_.setProbe(std::string(interact::wordsOf(drag->handle())), drag->to(pixel, keysFor(*drag)),

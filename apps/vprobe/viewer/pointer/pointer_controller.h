@@ -80,6 +80,7 @@ private:
 
 	void look();
 	void drag();
+	void noteLearned();
 	void takeSheet();
 	interact::Modifiers keysFor(const interact::Drag& drag) const;
 	std::optional<interact::SheetHit> sheetAt(const glm::dvec2& pixel) const;
@@ -90,6 +91,7 @@ private:
 	glm::dvec2 at_{-1.0};
 	interact::Modifiers keys_;
 	DragState grip_;
+	bool has_dragged_ = false; // since the button went down
 	std::optional<Button> held_;
 	std::optional<interact::Handle> handle_;
 	std::optional<interact::SheetHit> sheet_;

@@ -6,6 +6,7 @@
 #include <imgui/backends/imgui_impl_glfw.h>
 #include <imgui/imgui.h>
 
+#include <cmath>
 #include <cstdlib>
 
 namespace vp::app
@@ -38,6 +39,17 @@ void preferX11WithoutWayland()
 #endif
 }
 
+// Many desktops on X11 do not say that a screen has small pixels. A screen of so many rows is taken for one on which
+// letters of the usual number of pixels are too small: the interface is as large as on one of 1080 rows.
+double scaleOfScreen()
+{
+	constexpr int kManyRows = 2000;
+	constexpr double kUsualRows = 1080.0;
+	GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+	const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+	return mode && mode->height >= kManyRows ? mode->height / kUsualRows : 1.0;
+}
+
 Window& windowOf(GLFWwindow* handle)
 {
 	return *static_cast<Window*>(glfwGetWindowUserPointer(handle));
@@ -54,7 +66,15 @@ Result<std::unique_ptr<Window>> Window::create(const std::string& title, int wid
 		                         lastComplaint())};
 	glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
 	glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-	GLFWwindow* handle = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+	// The window grows with its letters; GLFW does that where the desktop tells the scale.
+	float across = 1.0f;
+	float along = 1.0f;
+	if (GLFWmonitor* monitor = glfwGetPrimaryMonitor())
+		glfwGetMonitorContentScale(monitor, &across, &along);
+	const double scale = across > 1.0f ? 1.0 : scaleOfScreen();
+	GLFWwindow* handle =
+	    glfwCreateWindow(static_cast<int>(std::lround(scale * width)), static_cast<int>(std::lround(scale * height)),
+	                     title.c_str(), nullptr, nullptr);
 	if (!handle)
 	{
 		const std::string reason = lastComplaint();
@@ -168,7 +188,7 @@ double Window::scale() const
 	float across = 1.0f;
 	float along = 1.0f;
 	glfwGetWindowContentScale(window_, &across, &along);
-	return across;
+	return across > 1.0f ? across : scaleOfScreen();
 }
 
 double Window::refreshRate() const

@@ -1,4 +1,6 @@
-#include "viewer/panels/widgets.h"
+#include "viewer/document/action_state.h"
+
+#include "render/color/label_colors.h"
 
 namespace vp::app
 {
@@ -29,6 +31,8 @@ bool needsData(Action action)
 	case Action::text_larger:
 	case Action::text_smaller:
 	case Action::find_command:
+	case Action::menus:
+	case Action::panel_keys:
 	case Action::hints:
 	case Action::help:
 	case Action::magnifier:
@@ -62,6 +66,8 @@ bool isOn(const Document& document, Action action)
 		return parts.plane_pane;
 	case Action::panels:
 		return parts.panels;
+	case Action::panel_keys:
+		return parts.panel_keys;
 	case Action::profile_overlay:
 		return parts.profile;
 	case Action::full_screen:
@@ -119,6 +125,8 @@ bool isPossible(const Document& document, Action action)
 		return document.history().canRedo();
 	case Action::cancel:
 		return document.loader().isBusy() || document.playback().recording();
+	case Action::save_color_map:
+		return document.facts() && document.colorMapName() != render::kLabelsName;
 	case Action::save_film:
 		return document.playback().film() != nullptr;
 	case Action::next_time:

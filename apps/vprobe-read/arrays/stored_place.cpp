@@ -1,0 +1,42 @@
+#include "stored_place.h"
+
+#include "array_writer.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+using nlohmann::json;
+
+StoredPlace storedRows(const std::string& file, std::uint64_t offset, const std::array<std::uint64_t, 3>& items,
+                       std::uint64_t item_bytes, bool swaps)
+{
+	constexpr std::uint64_t kBytesOfRows = 16 << 10;
+	const std::uint64_t row = std::max<std::uint64_t>(items[0] * item_bytes, 1);
+	const std::uint64_t rows = std::clamp<std::uint64_t>(kBytesOfRows / row, 1, std::max<std::uint64_t>(items[1], 1));
+	return {.file = file, .part = {items[0], rows, 1}, .offset = offset, .swaps = swaps};
+}
+
+json describeStored(const StoredPlace& place, ArrayWriter& writer)
+{
+	json described = {{"file", place.file}, {"part", place.part}, {"swaps", place.swaps}};
+	if (!place.reader.empty())
+		described["reader"] = place.reader;
+	else if (place.offsets.empty())
+	{
+		described["offset"] = place.offset;
+	}
+	if (place.offsets.empty())
+		return described;
+	const auto writeList = [&](const std::vector<std::uint64_t>& list)
+	{ return writer.write(vp::grid::NumberType::uint64, list.data(), list.size() * sizeof(list[0])); };
+	described["offsets"] = writeList(place.offsets);
+	if (!place.filters.empty())
+	{
+		described["filters"] = place.filters;
+		described["sizes"] = writeList(place.sizes);
+		described["left_out_filters"] = writeList(place.left_out);
+	}
+	described["fill"] = writer.write(vp::grid::NumberType::uint8, place.fill.data(), place.fill.size());
+	return described;
+}

@@ -1,0 +1,4 @@
+#pragma once
+
+// No writer of data nests elements of XML or JSON more deeply. Libraries keep each of them in memory.
+constexpr int kMaxNestedElements = 256;

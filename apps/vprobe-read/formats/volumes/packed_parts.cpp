@@ -1,0 +1,48 @@
+#include "vprobe-read/arrays/packed_parts.h"
+
+#include "vprobe-read/base/mapped_text.h"
+#include "vprobe-read/base/refusal.h"
+#include "vprobe-read/hdf5/hdf5_filters.h"
+#include "zarr_array.h"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <sstream>
+#include <vector>
+
+namespace
+{
+
+UnpackPart fromChunks(const std::string& name, const std::string& filters)
+{
+	const auto file = std::make_shared<const MappedText>(name);
+	return [file, steps = Hdf5Filters(filters)](const PackedPart& part, std::span<std::byte> to)
+	{
+		if (part.offset > file->text().size() || part.bytes > file->text().size() - part.offset)
+			throw damaged("a part lies outside of it");
+		const auto packed = std::as_bytes(std::span(file->text().substr(part.offset, part.bytes)));
+		steps.unpack(packed, static_cast<std::uint32_t>(part.left_out_filters), to);
+	};
+}
+
+UnpackPart fromZarr(const std::filesystem::path& folder, std::istream& indices)
+{
+	const auto array =
+	    std::make_shared<const ZarrArray>(folder, folder.filename().string(), zarrJson(folder / ".zarray"));
+	std::vector<std::size_t> front;
+	for (std::size_t index = 0; indices >> index;)
+		front.push_back(index);
+	return [array, front](const PackedPart& part, std::span<std::byte> to) { array->readPart(front, part.offset, to); };
+}
+
+} // namespace
+
+UnpackPart unpackerOf(const std::string& file, const std::string& how)
+{
+	std::istringstream words(how);
+	std::string reader;
+	words >> reader;
+	return reader == "zarr" ? fromZarr(file, words) : fromChunks(file, how);
+}

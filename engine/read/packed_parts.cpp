@@ -1,0 +1,72 @@
+#include "read/packed_parts.h"
+
+#include "parts/part_bytes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fcntl.h>
+
+namespace vp::read
+{
+
+PackedParts::PackedParts(std::shared_ptr<const parts::OpenFile> file, const parts::Layout& layout, Place place)
+    : file_(std::move(file)), place_(std::move(place)),
+      unpacker_(place_.reader.empty() ? file_->name() : std::filesystem::path(file_->name()).parent_path().string(),
+                place_.reader.empty() ? "vtkhdf" : "zarr", layout.bytesOf(0),
+                place_.reader.empty() ? place_.filters : place_.reader)
+{
+}
+
+bool PackedParts::fits(const parts::Layout& layout, const Place& place, std::uint64_t file_size)
+{
+	if (!place.reader.empty())
+		return layout.is_padded;
+	const std::uint64_t count = layout.partCount();
+	if (!layout.is_padded || place.offsets.size() != count || place.sizes.size() != count ||
+	    place.left_out_filters.size() != count)
+		return false;
+	for (std::uint64_t part = 0; part < count; ++part)
+		if (place.offsets[part] != parts::FileExtents::kMissing &&
+		    (place.offsets[part] > file_size || place.sizes[part] > file_size - place.offsets[part]))
+			return false;
+	return true;
+}
+
+void PackedParts::announce(std::span<const std::uint64_t> numbers) const
+{
+	if (!place_.reader.empty())
+		return;
+	for (const std::uint64_t number : numbers)
+		if (place_.offsets[number] != parts::FileExtents::kMissing)
+			posix_fadvise(file_->descriptor(), static_cast<off_t>(place_.offsets[number]),
+			              static_cast<off_t>(place_.sizes[number]), POSIX_FADV_WILLNEED);
+}
+
+void PackedParts::read(std::span<const parts::Wanted> wanted) const
+{
+	std::vector<Unpacker::Part> there;
+	for (const parts::Wanted& part : wanted)
+		if (!place_.reader.empty())
+			there.push_back({{part.number, 0, 0}, part.bytes});
+		else if (place_.offsets[part.number] == parts::FileExtents::kMissing)
+			parts::fillItems(part.bytes, place_.fill);
+		else
+			there.push_back(
+			    {{place_.offsets[part.number], place_.sizes[part.number], place_.left_out_filters[part.number]},
+			     part.bytes});
+	if (!there.empty())
+	{
+		// The child opens the file by its name.
+		if (!file_->isThereStill())
+			throw parts::Unreadable(fmt::format("{}: it was replaced while it was open; open it again", file_->name()));
+		unpacker_.unpack(there);
+	}
+	if (place_.swaps)
+		for (const parts::Wanted& part : wanted)
+			parts::swapNumbers(part.bytes, place_.number_bytes);
+}
+
+} // namespace vp::read

@@ -1,0 +1,101 @@
+#include "read/read_ahead.h"
+
+#include "base/bytes_read.h"
+#include "base/timeline.h"
+#include "read/input_limits.h"
+#include "read/sandbox.h"
+#include "read/series.h"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+namespace vp::read
+{
+
+// Returns the file of an input that is read at the time of the options; an input that is no series is itself.
+std::string fileOf(const std::string& input, const ReadOptions& options)
+{
+	const std::optional<FileSeries> series = parseSeries(input);
+	const std::vector<std::string> slices = parseStack(input);
+	return series ? series->files[timeIndex(series->times, options.time)] : slices.empty() ? input : slices.front();
+}
+
+ReadAhead::ReadAhead(std::vector<InputToRead> inputs) : inputs_(std::move(inputs)) {}
+
+ReadAhead::ReadAhead(const std::vector<std::string>& inputs, const ReadOptions& options)
+{
+	for (const std::string& input : inputs)
+		inputs_.push_back({input, options});
+}
+
+Result<ReadAhead::AtWork> ReadAhead::start(const InputToRead& given)
+{
+	const std::optional<FileSeries> series = parseSeries(given.input);
+	const TimeChoice& time = given.options.time;
+	if (series && time.kind == TimeChoice::Kind::index && time.index >= series->times.size())
+		return Error{ErrorKind::input, fmt::format("`time` #{}: the series has {} times, #0 to #{}", time.index,
+		                                           series->times.size(), series->times.size() - 1)};
+	const std::string file = fileOf(given.input, given.options);
+	ReadOptions options = given.options;
+	if (series)
+		options.time = {};
+	options.slices = parseStack(given.input);
+	Result<InputLimits> limits =
+	    options.slices.empty() ? inputLimits(file, options.solution, options.format) : stackLimits(options.slices);
+	if (!limits)
+		return limits.error();
+	Result<ReaderAtWork> reader = ReaderAtWork::start(file, options, refinedLimits(*limits, options.refine));
+	if (!reader)
+		return reader.error();
+	return AtWork{file, series ? series->times : std::vector<double>(), std::move(*reader)};
+}
+
+void ReadAhead::startSome()
+{
+	const std::size_t at_once = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+	while (started_.size() < at_once && next_ + started_.size() < inputs_.size())
+	{
+		const InputToRead& input = inputs_[next_ + started_.size()];
+		if (input.input.starts_with(kDemoPrefix))
+			started_.emplace_back();
+		else
+			started_.emplace_back(start(input));
+	}
+}
+
+void ReadAhead::skip()
+{
+	if (!started_.empty())
+		started_.pop_front();
+	++next_;
+}
+
+Result<CheckedInput> ReadAhead::read(Timeline* timeline)
+{
+	const TimedSection timed(timeline, "read");
+	startSome();
+	const std::string follow = followArgument(next().options.follow);
+	const bool lists = next().options.parts.starts_with('?');
+	Result<AtWork> started = std::move(*started_.front());
+	skip();
+	if (!started)
+		return started.error();
+	const Result<HandedOver> handed = started->reader.finish();
+	if (!handed)
+		return handed.error();
+	Result<CheckedInput> checked =
+	    checkManifest(handed->manifest, handed->arrays, handed->cells, started->file, follow);
+	if (!checked)
+		return unusable(started->file, checked.error());
+	const bool is_list = checked->blocks.empty() && !checked->parts.empty();
+	if (is_list && !lists)
+		return unusable(started->file, {ErrorKind::input, "the reader answered another question"});
+	noteFiles(*checked);
+	bytesRead().fetch_add(checked->bytes_read, std::memory_order_relaxed);
+	noteSandbox(checked->sandbox);
+	if (!started->times.empty())
+		checked->times = started->times;
+	return checked;
+}
+
+} // namespace vp::read

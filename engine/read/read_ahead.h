@@ -1,0 +1,64 @@
+#pragma once
+
+#include "read/child.h"
+#include "read/manifest.h"
+#include "read/read.h"
+
+#include <cstddef>
+#include <deque>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vp
+{
+class Timeline;
+}
+
+namespace vp::read
+{
+
+constexpr std::string_view kDemoPrefix = "demo:"; // begins inputs that no child reads
+
+// Returns the file of an input that is read at the time of the options; an input that is no series is itself.
+std::string fileOf(const std::string& input, const ReadOptions& options);
+
+struct InputToRead
+{
+	std::string input; // as takeInputs() gives it
+	ReadOptions options;
+};
+
+// Reads inputs one after the other. While one is waited for or built, the readers of those behind it are at work, as
+// many as there are cores.
+class ReadAhead
+{
+public:
+	// Starts nothing yet.
+	explicit ReadAhead(std::vector<InputToRead> inputs);
+	ReadAhead(const std::vector<std::string>& inputs, const ReadOptions& options);
+
+	// The input that comes next, and its number. There is one.
+	const InputToRead& next() const { return inputs_[next_]; }
+	// Waits for the next input and checks what was read. Call skip() for one that no child reads.
+	Result<CheckedInput> read(Timeline* timeline);
+	void skip();
+
+private:
+	// A reader at work.
+	struct AtWork
+	{
+		std::string file;
+		std::vector<double> times; // empty unless it is a series
+		ReaderAtWork reader;
+	};
+	static Result<AtWork> start(const InputToRead& input);
+	void startSome();
+
+	std::vector<InputToRead> inputs_;
+	std::size_t next_ = 0;
+	std::deque<std::optional<Result<AtWork>>> started_; // from the next one on; nothing for one that no child reads
+};
+
+} // namespace vp::read

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "grid/field.h"
+#include "read/manifest.h"
+#include "read/mapping.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <memory>
+#include <string>
+
+namespace vp::read
+{
+
+// The files that a child could read.
+struct ReadableFiles
+{
+	std::string input;
+	std::string follow; // as followArgument() gives it
+};
+
+// Returns the array of a lattice that stays in its file, whose place the manifest describes (protocol.h). Checks that
+// all of its parts lie within the file, which must be one of `files`. Throws
+// Unusable, and parts::Unreadable if the file cannot be opened.
+std::shared_ptr<const parts::PartStore> storedArray(const nlohmann::json& place, const grid::Field& field,
+                                                    const decltype(CheckedBlock::mesh)& mesh, const SharedBytes& arrays,
+                                                    const ReadableFiles& files);
+
+} // namespace vp::read

@@ -1,0 +1,76 @@
+#include "session/times_seen.h"
+
+#include "base/progress.h"
+#include "ranks/data/share.h"
+#include "render/scene/least_positive.h"
+#include "session/time_steps.h"
+#include "session/value_scale.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vp::session
+{
+
+const TimesSeen::Array* TimesSeen::of(const grid::FieldChoice& field) const
+{
+	const auto found = std::ranges::find(arrays, field, &Array::field);
+	return found != arrays.end() ? &*found : nullptr;
+}
+
+Result<TimesSeen> lookAtTimes(const Session& session, std::span<const std::size_t> steps,
+                              std::span<const grid::FieldChoice> fields)
+{
+	TimesSeen seen;
+	for (const grid::FieldChoice& field : fields)
+		if (!seen.of(field))
+			seen.arrays.push_back({field});
+	bool differ = false; // the bounds, from those of the session
+	Progress progress("looking at times");
+	for (std::size_t i = 0; i < steps.size(); ++i)
+	{
+		progress.say(fmt::format("looking at time {} of {}", i + 1, steps.size()));
+		const read::ReadOptions at = session.readOptions(choiceOfStep(session.blocks().times, steps[i]));
+		grid::BlockSet blocks = session.blocks();
+		ranks::Ranks ranks = session.ranks();
+		const Result<bool> same_grid =
+		    ranks.keepsParts() ? read::readValues(session.inputs(), at, blocks, session.timeline()) : false;
+		if (!same_grid)
+			return same_grid.error();
+		if (!*same_grid)
+		{
+			Result<grid::BlockSet> read = ranks::readInputs(ranks, session.inputs(), at, session.timeline());
+			if (!read)
+				return read.error();
+			blocks = std::move(*read);
+		}
+		const auto ofAllRanks = [&](const Box& own)
+		{ return ranks.sum(own, [](Box& all, const Box& other) { all.include(other); }); };
+		const Box bounds = ofAllRanks(blocks.bounds());
+		const Box here = ofAllRanks(session.blocks().bounds());
+		differ = differ || bounds.lo != here.lo || bounds.hi != here.hi;
+		seen.bounds.include(bounds);
+		for (TimesSeen::Array& array : seen.arrays)
+		{
+			array.span.include(spanOf(blocks, ranks, array.field));
+			const double least = leastPositive(blocks, ranks, array.field);
+			if (least > 0.0 && !(array.least_positive > 0.0 && array.least_positive < least))
+				array.least_positive = least;
+		}
+	}
+	if (!differ)
+		seen.bounds = Box();
+	return seen;
+}
+
+std::vector<std::size_t> firstMiddleAndLast(std::size_t times)
+{
+	std::vector<std::size_t> steps;
+	for (const std::size_t step : {std::size_t(0), times / 2, times - 1})
+		if (step < times && std::ranges::find(steps, step) == steps.end())
+			steps.push_back(step);
+	return steps;
+}
+
+} // namespace vp::session
