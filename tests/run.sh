@@ -270,6 +270,18 @@ test_format()
 	fi
 }
 
+# Names the tests that failed, and what they said first: logs are long, and a server may keep the end alone.
+print_failures()
+{
+	local report preset
+	for report in build/*/tests.txt; do
+		preset=$(basename "$(dirname "$report")")
+		grep -q '^failed ' "$report" 2>/dev/null || continue
+		sed -n "s/^failed [^ ]* /failed: $preset: /p" "$report"
+		grep -hE -A 6 '^E  |: Failure$|^(SUMMARY|WARNING): [A-Za-z]*Sanitizer|Failed .*sec$' "build/log/$preset-tests" | head -n 60 || true
+	done
+}
+
 # Without it its tests are skipped, by name.
 bash tests/devices/swiftshader.sh --fetch || true
 
@@ -285,6 +297,7 @@ fi
 
 printf '%s\n' "${step_times[@]}" | print_slowest "Slowest steps"
 { cat build/*/tests.txt 2>/dev/null || true; } | sed 's/^[a-z]* //' | print_slowest "Slowest tests"
+print_failures
 printf 'skipped: %s\n' "${skipped[@]}" | sed '/^skipped: $/d'
 printf '%s\n' "${skipped[@]}" >build/skipped.txt
 echo "$passed passed, $failed failed, ${#skipped[@]} skipped"

@@ -105,20 +105,18 @@ def test_sweeps_give_pictures(shell):
 
 
 def test_ctrl_c_ends_drawing(shell):
-    from test_work import interrupted_after
+    from test_work import assert_no_processor_works, interrupted_after
     data = vprobe.open('demo:tets:32')
     before = render(data)
 
     def draw_on():
         for _ in range(100):
             data.render(vprobe.Probe.stack(16), size=(2000, 2000))
-    assert interrupted_after(.3, draw_on) < .2
-    begin = time.perf_counter()
-    repr(data)  # waits for the sample that is being drawn, not for the rest of a hundred pictures
-    assert time.perf_counter() - begin < 5
+    assert interrupted_after(.3, draw_on) < .4  # the device's threads draw on meanwhile
     used = time.process_time()
-    time.sleep(.3)
-    assert time.process_time() - used < .1
+    repr(data)  # waits for the sample that is being drawn, not for the rest of a hundred pictures
+    assert time.process_time() - used < 5
+    assert_no_processor_works()
     assert np.array_equal(render(data), before)
 
 

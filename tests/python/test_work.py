@@ -16,46 +16,52 @@ PLANE = dict(normal=(.3, .5, .8))
 
 
 def interrupted_after(seconds, work):
-    """How long after Ctrl-C the work ends with KeyboardInterrupt."""
-    sent = []
+    """The CPU seconds that the process uses from Ctrl-C until the work ends with KeyboardInterrupt; None where the work was
+    done before. It is not the time of the clock, which grows with what else the machine does."""
+    sent, ended = [], []
 
     def press():
-        sent.append(time.perf_counter())
+        sent.append(time.process_time())
         os.kill(os.getpid(), signal.SIGINT)
     timer = threading.Timer(seconds, press)
+    begin = time.monotonic()
     timer.start()
     try:
         with pytest.raises(KeyboardInterrupt):
             work()
-            time.sleep(2)  # it was faster
-            pytest.skip('the work was done before Ctrl-C')
-        return time.perf_counter() - sent[0]
+            ended.append(True)
+            time.sleep(60)  # until it is pressed
+        used = time.process_time() - sent[0]
+        assert time.monotonic() - begin < 60  # it waits for nothing either
+        return None if ended else used
     finally:
         timer.cancel()
         timer.join()
 
 
 def test_ctrl_c_ends_reading_and_cutting_within_a_fifth_of_a_second():
-    late = interrupted_after(.15, lambda: vprobe.open('demo:tets:160', classify='cpu'))
-    assert late < .2
+    assert interrupted_after(.15, lambda: vprobe.open('demo:tets:160', classify='cpu')) < .2
     data = vprobe.open('demo:tets:64', classify='cpu')
 
     def cut_on():
         for _ in range(200):
             data.cut(vprobe.Probe.stack(64))
-    late = interrupted_after(.4, cut_on)
-    assert late < .2
+    assert interrupted_after(.4, cut_on) < .2
     assert data.slice(**PLANE).area > 0  # the data set serves on
+
+
+def assert_no_processor_works():
+    used = time.process_time()
+    time.sleep(.3)
+    assert time.process_time() - used < .1
 
 
 def assert_nothing_goes_on(data):
     """What was interrupted has ended: another call need not wait for it, and no processor works."""
-    begin = time.perf_counter()
-    repr(data)
-    assert time.perf_counter() - begin < .1
     used = time.process_time()
-    time.sleep(.3)
+    repr(data)
     assert time.process_time() - used < .1
+    assert_no_processor_works()
 
 
 def cubes(n):
@@ -66,19 +72,24 @@ def cubes(n):
 
 @pytest.mark.parametrize('share', [.05, .15, .3, .45])
 def test_ctrl_c_ends_the_search_for_neighbors(share):
-    data = cubes(110)
-    first = data.slice(**PLANE)
     twin = cubes(110)
-    twin.slice(**PLANE)
+    area = twin.slice(**PLANE).area
     begin = time.perf_counter()
     twin.slice(**PLANE)
     seconds = share * (time.perf_counter() - begin)
-    assert interrupted_after(seconds, lambda: data.slice(**PLANE)) < .2
+    for _ in range(8):  # the machine may have been busy with something else when the time was taken
+        data = cubes(110)
+        data.slice(**PLANE)
+        used = interrupted_after(seconds, lambda: data.slice(**PLANE))
+        if used is not None:
+            break
+        seconds /= 2
+    assert used < .2
     assert_nothing_goes_on(data)
     assert not data.memory().copied  # as if nobody had asked
     assert interrupted_after(.05, lambda: data.sample([[.5, .5, .5]])) < .2
     assert_nothing_goes_on(data)
-    assert data.slice(**PLANE).area == pytest.approx(first.area)
+    assert data.slice(**PLANE).area == pytest.approx(area)
     assert data.memory().copied
 
 
@@ -93,9 +104,7 @@ def test_ctrl_c_ends_sampling():
 
 def test_ctrl_c_ends_opening():
     assert interrupted_after(.15, lambda: vprobe.open('demo:tets:200', classify='cpu')) < .2
-    used = time.process_time()
-    time.sleep(.3)
-    assert time.process_time() - used < .1
+    assert_no_processor_works()
 
 
 def test_other_threads_run_meanwhile():
