@@ -1,6 +1,7 @@
 #include "chunk_codecs.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <new>
 
@@ -50,4 +51,23 @@ bool unshuffle(std::span<const std::byte> packed, std::span<std::byte> to, std::
 	std::copy(packed.begin() + static_cast<std::ptrdiff_t>(count * width), packed.end(),
 	          to.begin() + static_cast<std::ptrdiff_t>(count * width));
 	return true;
+}
+
+std::uint32_t crc32c(std::span<const std::byte> bytes)
+{
+	static constexpr std::array<std::uint32_t, 256> table = []
+	{
+		std::array<std::uint32_t, 256> all{};
+		for (std::uint32_t i = 0; i < 256; ++i)
+		{
+			all[i] = i;
+			for (int bit = 0; bit < 8; ++bit)
+				all[i] = all[i] >> 1 ^ (all[i] & 1 ? 0x82F63B78 : 0);
+		}
+		return all;
+	}();
+	std::uint32_t sum = ~std::uint32_t(0);
+	for (const std::byte byte : bytes)
+		sum = table[(sum ^ static_cast<std::uint32_t>(byte)) & 0xFF] ^ sum >> 8;
+	return ~sum;
 }

@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <string_view>
 
@@ -51,30 +49,10 @@ void refuseOtherMeshes(const FileHead& head)
 		throw Refusal("an Ansys archive, which is not read; PyMAPDL or its reader (mapdl-archive) saves it as .vtk");
 }
 
-bool holdsWord(const fs::path& file, std::string_view word)
-{
-	constexpr std::size_t kMost = 1 << 20;
-	std::ifstream stream(file, std::ios::binary);
-	std::string text(kMost, '\0');
-	stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-	text.resize(static_cast<std::size_t>(stream.gcount()));
-	return text.find(word) != text.npos;
-}
-
-void refuseOtherZarr(const FileHead& head)
-{
-	const fs::path folder = head.file();
-	if (head.holdsFile("zarr.json"))
-		throw Refusal(holdsWord(folder / "zarr.json", "\"multiscales\"")
-		                  ? "an OME-Zarr image, which is not read; save one of its levels as OME-TIFF"
-		                  : "Zarr of version 3, which is not read; write it as version 2 (zarr_format=2)");
-	if (head.holdsFile(".zattrs") && holdsWord(folder / ".zattrs", "\"multiscales\""))
-		throw Refusal("an OME-Zarr image, which is not read; save one of its levels as OME-TIFF");
-}
-
 } // namespace
 
 void refuseOtherPrograms(const FileHead& head)
 {
-	head.isFolder() ? refuseOtherZarr(head) : refuseOtherMeshes(head);
+	if (!head.isFolder())
+		refuseOtherMeshes(head);
 }

@@ -29,8 +29,10 @@ UnpackPart fromChunks(const std::string& name, const std::string& filters)
 
 UnpackPart fromZarr(const std::filesystem::path& folder, std::istream& indices)
 {
-	const auto array =
-	    std::make_shared<const ZarrArray>(folder, folder.filename().string(), zarrJson(folder / ".zarray"));
+	const auto about = zarrArrayJson(folder);
+	if (!about)
+		throw Refusal("its array is not there any more");
+	const auto array = std::make_shared<const ZarrArray>(folder, folder.filename().string(), *about);
 	std::vector<std::size_t> front;
 	for (std::size_t index = 0; indices >> index;)
 		front.push_back(index);

@@ -2,6 +2,7 @@
 #include "cf_grid.h"
 #include "cf_values.h"
 #include "cf_volumes.h"
+#include "read_ome_zarr.h"
 #include "vprobe-read/arrays/stored_array.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/checks/netcdf_size.h"
@@ -189,7 +190,10 @@ void readNetcdf(const Request& request, ManifestWriter& manifest)
 
 void readZarr(const Request& request, ManifestWriter& manifest)
 {
-	const ZarrFile file(request.file);
+	const ZarrGroup group = ZarrGroup::of(request.file);
+	if (const auto image = OmeZarr::of(group))
+		return readOmeZarr(*image, request, manifest);
+	const ZarrFile file(group, request.file);
 	manifest.setImaging({.labels = file.hasLabels()});
 	readByConventions(file, request, manifest);
 }

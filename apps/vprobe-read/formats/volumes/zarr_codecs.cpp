@@ -1,4 +1,4 @@
-// The codecs of numcodecs that Zarr 2 names in its .zarray, undone.
+// The codecs of numcodecs and of Zarr 3, undone.
 #include "zarr_codecs.h"
 
 #include "vprobe-read/arrays/chunk_codecs.h"
@@ -53,11 +53,20 @@ bool unpackXz(Bytes packed, std::span<std::byte> to)
 	       written == to.size();
 }
 
-bool checkCrc(Bytes packed, std::span<std::byte> to)
+// The checksum stands before the bytes.
+bool checkCrc32(Bytes packed, std::span<std::byte> to)
 {
 	const Bytes rest = packed.subspan(4);
 	std::ranges::copy(rest, to.begin());
 	return littleEndian(packed) == crc32_z(0, reinterpret_cast<const Bytef*>(rest.data()), rest.size());
+}
+
+// It stands behind them.
+bool checkCrc32c(Bytes packed, std::span<std::byte> to)
+{
+	const Bytes rest = packed.first(packed.size() - 4);
+	std::ranges::copy(rest, to.begin());
+	return littleEndian(packed.last(4)) == crc32c(rest);
 }
 
 // Calls use(NUMBER) with a value of the type.
@@ -138,13 +147,13 @@ ZarrCodecs::Step ZarrCodecs::stepOf(const json& codec, const std::string& array)
 {
 	Step step;
 	step.id = codec.value("id", "");
-	const bool is_packed = isOneOf(step.id, {"blosc", "zlib", "gzip", "zstd", "lz4", "crc32"}) ||
+	const bool is_packed = isOneOf(step.id, {"blosc", "zlib", "gzip", "zstd", "lz4", "crc32", "crc32c"}) ||
 	                       (step.id == "lzma" && codec.value("format", 1) == 1);
 	if (step.id == "shuffle")
 	{
 		step.width = codec.value("elementsize", std::size_t(4));
 		if (step.width < 1 || step.width > 256)
-			throw damaged(fmt::format("the .zarray of {} cannot be followed", array));
+			throw damaged(fmt::format("the JSON of {} cannot be followed", array));
 	}
 	else if (computes(step.id))
 	{
@@ -170,18 +179,17 @@ ZarrCodecs::Step ZarrCodecs::stepOf(const json& codec, const std::string& array)
 	return step;
 }
 
-ZarrCodecs::ZarrCodecs(const json& about, const std::string& array)
+ZarrCodecs::ZarrCodecs(const json& codecs, const std::string& array)
 {
-	if (const json filters = about.value("filters", json()); filters.is_array() && filters.size() <= 64)
-		for (const json& filter : filters)
-			steps_.push_back(stepOf(filter, array));
-	if (const json compressor = about.value("compressor", json()); !compressor.is_null())
-		steps_.push_back(stepOf(compressor, array));
+	if (codecs.size() > 64)
+		throw damaged(fmt::format("the JSON of {} cannot be followed", array));
+	for (const json& codec : codecs)
+		steps_.push_back(stepOf(codec, array));
 }
 
 std::size_t ZarrCodecs::Step::packedSize(std::size_t bytes) const
 {
-	return id == "crc32" ? bytes + 4 : plain.width > 0 ? bytes / plain.width * stored.width : bytes;
+	return addsChecksum() ? bytes + 4 : plain.width > 0 ? bytes / plain.width * stored.width : bytes;
 }
 
 bool ZarrCodecs::Step::undoNumbers(Bytes packed, std::span<std::byte> to) const
@@ -230,9 +238,11 @@ bool ZarrCodecs::Step::undo(Bytes packed, std::span<std::byte> to) const
 	if (plain.width > 0)
 		return undoNumbers(packed, to);
 	if (packed.size() != packedSize(to.size()))
-		return false;
+		return false; // also where there is no room for a checksum
 	if (id == "crc32")
-		return checkCrc(packed, to);
+		return checkCrc32(packed, to);
+	if (id == "crc32c")
+		return checkCrc32c(packed, to);
 	if (id == "shuffle")
 		return unshuffle(packed, to, width);
 	std::ranges::copy(packed, to.begin()); // "bitround"
@@ -247,7 +257,9 @@ std::vector<std::byte> ZarrCodecs::unpack(Bytes packed, std::size_t bytes, const
 	std::vector<std::byte> at(packed.begin(), packed.end());
 	for (std::size_t i = steps_.size(); i-- > 0;)
 	{
-		std::vector<std::byte> before(sizes[i]);
+		// What a compressor makes is of any size, and so is that with a checksum.
+		std::vector<std::byte> before(steps_[i].addsChecksum() ? at.size() - std::min<std::size_t>(at.size(), 4)
+		                                                       : sizes[i]);
 		if (!steps_[i].undo(at, before))
 			throw damaged(fmt::format("{} cannot be unpacked ({})", where, steps_[i].id));
 		at = std::move(before);

@@ -22,8 +22,9 @@ struct ZarrType
 class ZarrCodecs
 {
 public:
-	// `about`: the contents of .zarray. Throws a Refusal that names a codec which is not known, and the array.
-	ZarrCodecs(const nlohmann::json& about, const std::string& array);
+	// `codecs`: a list in numcodecs' words, in the order in which they were done. Throws a Refusal that names a codec
+	// which is not known, and the array.
+	ZarrCodecs(const nlohmann::json& codecs, const std::string& array);
 
 	bool isEmpty() const { return steps_.empty(); }
 	// Throws a Refusal unless the packed bytes give exactly `bytes` ones.
@@ -38,6 +39,7 @@ private:
 		std::size_t width = 0;  // of what is shuffled
 		double scale = 1.0, offset = 0.0;
 
+		bool addsChecksum() const { return id.starts_with("crc32"); }
 		std::size_t packedSize(std::size_t bytes) const;
 		bool undo(std::span<const std::byte> packed, std::span<std::byte> to) const;
 		bool undoNumbers(std::span<const std::byte> packed, std::span<std::byte> to) const;

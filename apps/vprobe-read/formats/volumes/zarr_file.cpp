@@ -3,10 +3,14 @@
 #include "vprobe-read/base/is_one_of.h"
 #include "vprobe-read/base/refusal.h"
 
+#include <vtkBase64Utilities.h>
+
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 
 using nlohmann::json;
 
@@ -40,12 +44,6 @@ nc_type netcdfTypeOf(const ZarrType& type)
 	default:
 		return is_signed ? NC_INT64 : NC_UINT64;
 	}
-}
-
-json jsonOrNone(const fs::path& file)
-{
-	std::error_code ignored;
-	return fs::is_regular_file(file, ignored) ? zarrJson(file) : json::object();
 }
 
 bool isListOfNumbers(const json& value)
@@ -101,7 +99,7 @@ void putAttribute(int id, int variable, const std::string& name, const json& val
 // The names of an array's sides, as xarray writes them, or netCDF in its own kind of Zarr. Nothing where it has none.
 std::vector<std::string> namesOfSides(const json& about, const json& attributes, std::size_t sides)
 {
-	json given = attributes.value("_ARRAY_DIMENSIONS", json());
+	json given = about.value("dimension_names", attributes.value("_ARRAY_DIMENSIONS", json()));
 	for (const json* place : {&about, &attributes})
 		for (const char* key : {"_NCZARR_ARRAY", "_nczarr_array"})
 			if (const json own = place->value(key, json()); given.is_null() && own.is_object())
@@ -117,61 +115,51 @@ std::vector<std::string> namesOfSides(const json& about, const json& attributes,
 	return names.size() == sides ? names : std::vector<std::string>();
 }
 
-// One list of all values that are missing. 0 is what most programs fill with, and mostly a value like others.
+// xarray writes reals in JSON of version 3 as the 8 bytes of a double, in base64.
+std::optional<double> realInBase64(const std::string& text)
+{
+	double real = 0.0;
+	std::array<unsigned char, 9> bytes{};
+	if (text.size() != 12 || vtkBase64Utilities::DecodeSafely(reinterpret_cast<const unsigned char*>(text.data()),
+	                                                          text.size(), bytes.data(), bytes.size()) != sizeof(real))
+		return std::nullopt;
+	std::memcpy(&real, bytes.data(), sizeof(real));
+	return real;
+}
+
+// One list of all values that are missing. Version 2 has no other place for them than the value of chunks that are not
+// there; 0 is what most programs fill with, and mostly a value like others.
 json missingIn(const json& about, const json& attributes)
 {
+	const bool is_third = about.value("zarr_format", json(2)) == 3;
 	json marks = json::array();
 	const auto take = [&](const json& given)
 	{
 		for (const json& one : given.is_array() ? given : json::array({given}))
 			if (one.is_number())
 				marks.push_back(one);
+			else if (const auto real =
+			             is_third && one.is_string() ? realInBase64(one.get<std::string>()) : std::nullopt)
+				marks.push_back(*real);
 	};
 	for (const char* name : {"missing_value", "_FillValue"})
 		take(attributes.value(name, json()));
-	if (const json fill = about.value("fill_value", json()); fill != 0)
+	if (const json fill = about.value("fill_value", json()); fill != 0 && !is_third)
 		take(fill);
 	return marks;
 }
 
 } // namespace
 
-ZarrFile::ZarrFile(const std::string& given) : NetcdfFile(newFileInMemory())
+ZarrFile::ZarrFile(const ZarrGroup& group, const std::string& folder) : NetcdfFile(newFileInMemory())
 {
-	const fs::path folder = fs::absolute(given).lexically_normal();
-	const std::string lone = (folder.has_filename() ? folder : folder.parent_path()).filename().string();
-	if (fs::is_regular_file(folder / ".zarray"))
-	{
-		addArray(folder, lone, zarrJson(folder / ".zarray"), jsonOrNone(folder / ".zattrs"));
-		return;
-	}
-	// Metadata of all arrays in one file are a copy of theirs; theirs may be left out.
-	const json together = jsonOrNone(folder / ".zmetadata").value("metadata", json::object());
-	std::map<std::string, json> arrays;
-	std::vector<std::string> groups;
-	for (const auto& entry : fs::directory_iterator(folder))
-		if (const std::string name = entry.path().filename().string(); fs::is_regular_file(entry.path() / ".zarray"))
-			arrays[name] = zarrJson(entry.path() / ".zarray");
-		else if (fs::is_regular_file(entry.path() / ".zgroup"))
-			groups.push_back(name);
-	for (const auto& [key, about] : together.items())
-		if (const std::size_t slash = key.find('/');
-		    slash != key.npos && key.substr(slash) == "/.zarray" && about.is_object())
-			arrays.try_emplace(key.substr(0, slash), about);
-	for (const auto& [name, about] : arrays)
-	{
-		json attributes = jsonOrNone(folder / name / ".zattrs");
-		if (attributes.empty())
-			attributes = together.value(name + "/.zattrs", json::object());
-		addArray(folder / name, name, about, attributes);
-	}
-	std::ranges::sort(groups);
-	if (arrays.empty() && !groups.empty())
+	if (group.arrays.empty() && !group.groups.empty())
 		throw Refusal(fmt::format("nothing to slice: a Zarr group with groups alone; name one of them, such as {}",
-		                          (fs::path(given) / groups[0]).string()));
-	const json attributes_of_all = jsonOrNone(folder / ".zattrs");
-	has_labels_ = attributes_of_all.contains("image-label");
-	for (const auto& [name, value] : attributes_of_all.items())
+		                          (fs::path(folder) / group.groups[0]).string()));
+	for (const auto& [name, array] : group.arrays)
+		addArray(name, array);
+	has_labels_ = group.attributes.contains("image-label");
+	for (const auto& [name, value] : group.attributes.items())
 		putAttribute(id(), NC_GLOBAL, name, value);
 }
 
@@ -200,17 +188,18 @@ std::vector<int> ZarrFile::dimensionsOf(const ZarrArray& array, const std::vecto
 	return ids;
 }
 
-void ZarrFile::addArray(const fs::path& folder, const std::string& name, const json& about, const json& attributes)
+void ZarrFile::addArray(const std::string& name, const ZarrGroup::Array& given)
 {
-	ZarrArray array(folder, name, about);
-	const std::vector<int> sides = dimensionsOf(array, namesOfSides(about, attributes, array.shape().size()));
+	ZarrArray array(given.folder, name, given.about);
+	const std::vector<int> sides =
+	    dimensionsOf(array, namesOfSides(given.about, given.attributes, array.shape().size()));
 	int variable = -1;
 	check(nc_def_var(id(), name.c_str(), netcdfTypeOf(array.type()), static_cast<int>(sides.size()), sides.data(),
 	                 &variable));
-	for (const auto& [key, value] : attributes.items())
+	for (const auto& [key, value] : given.attributes.items())
 		if (!isOneOf(key, {"_ARRAY_DIMENSIONS", "_FillValue", "missing_value"}))
 			putAttribute(id(), variable, key, value);
-	if (const json marks = missingIn(about, attributes); !marks.empty())
+	if (const json marks = missingIn(given.about, given.attributes); !marks.empty())
 		putAttribute(id(), variable, "missing_value", marks);
 	arrays_.emplace(variable, std::move(array));
 }

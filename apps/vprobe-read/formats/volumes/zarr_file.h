@@ -2,17 +2,17 @@
 
 #include "vprobe-read/hdf5/netcdf_file.h"
 #include "zarr_array.h"
+#include "zarr_group.h"
 
-#include <filesystem>
 #include <map>
 
-// A group of Zarr 2, or a lone array of it, as a netCDF file: what its JSON says stands in a netCDF file in memory, and
+// A group of Zarr, or a lone array of it, as a netCDF file: what its JSON says stands in a netCDF file in memory, and
 // values are read from its chunks.
 class ZarrFile : public NetcdfFile
 {
 public:
-	// Throws a Refusal where there is nothing that can be read.
-	explicit ZarrFile(const std::string& folder);
+	// Throws a Refusal where there is nothing that can be read. `folder`: as it was named.
+	ZarrFile(const ZarrGroup& group, const std::string& folder);
 	~ZarrFile() override;
 
 	void readSlab(int variable, const std::vector<std::size_t>& starts, const std::vector<std::size_t>& counts,
@@ -24,8 +24,7 @@ public:
 	bool hasLabels() const { return has_labels_; }
 
 private:
-	void addArray(const std::filesystem::path& folder, const std::string& name, const nlohmann::json& about,
-	              const nlohmann::json& attributes);
+	void addArray(const std::string& name, const ZarrGroup::Array& given);
 	std::vector<int> dimensionsOf(const ZarrArray& array, const std::vector<std::string>& names);
 
 	std::map<int, ZarrArray> arrays_; // by their variables

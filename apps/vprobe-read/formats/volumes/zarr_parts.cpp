@@ -10,37 +10,43 @@
 
 std::optional<StoredPlace> ZarrArray::storedPlace(const std::vector<std::size_t>& front) const
 {
-	if (shape_.size() != front.size() + 3)
+	if (layout_.shape.size() != front.size() + 3)
 		return std::nullopt;
-	StoredPlace place{.file = (folder_ / ".zarray").string()};
+	std::error_code ignored;
+	const bool is_second = std::filesystem::is_regular_file(folder_ / ".zarray", ignored);
+	StoredPlace place{.file = (folder_ / (is_second ? ".zarray" : "zarr.json")).string()};
 	for (std::size_t axis = 0; axis < 3; ++axis)
-		place.part[axis] = chunk_[front.size() + 2 - axis];
+		place.part[axis] = layout_.chunk[front.size() + 2 - axis];
 	place.reader = fmt::format("zarr {}", fmt::join(front, " "));
 	return place;
 }
 
 std::size_t ZarrArray::partBytes() const
 {
-	const std::size_t sides = chunk_.size();
-	return sides < 3 ? 0 : chunk_[sides - 3] * chunk_[sides - 2] * chunk_[sides - 1] * widthInMemory();
+	const std::size_t sides = layout_.chunk.size();
+	if (sides < 3)
+		return 0;
+	return layout_.chunk[sides - 3] * layout_.chunk[sides - 2] * layout_.chunk[sides - 1] * widthInMemory();
 }
 
 void ZarrArray::readPart(const std::vector<std::size_t>& front, std::uint64_t number, std::span<std::byte> to) const
 {
-	const std::size_t sides = shape_.size();
+	const std::size_t sides = layout_.shape.size();
 	if (sides != front.size() + 3 || to.size() != partBytes())
 		throw damaged(fmt::format("its {} has other sides than are asked for", name_));
 	std::vector<std::size_t> starts = front;
 	std::vector<std::size_t> counts(front.size(), 1);
 	starts.resize(sides);
 	counts.resize(sides);
-	for (std::size_t side = sides; side-- > front.size(); number /= (shape_[side] + chunk_[side] - 1) / chunk_[side])
+	for (std::size_t side = sides; side-- > front.size();
+	     number /= (layout_.shape[side] + layout_.chunk[side] - 1) / layout_.chunk[side])
 	{
-		starts[side] = number % ((shape_[side] + chunk_[side] - 1) / chunk_[side]) * chunk_[side];
-		counts[side] = std::min(chunk_[side], shape_[side] - starts[side]);
+		starts[side] =
+		    number % ((layout_.shape[side] + layout_.chunk[side] - 1) / layout_.chunk[side]) * layout_.chunk[side];
+		counts[side] = std::min(layout_.chunk[side], layout_.shape[side] - starts[side]);
 	}
 	for (std::size_t side = 0; side < front.size(); ++side)
-		if (front[side] >= shape_[side])
+		if (front[side] >= layout_.shape[side])
 			throw damaged(fmt::format("its {} has other sides than are asked for", name_));
 	const std::vector<std::size_t> held(counts.end() - 3, counts.end());
 	const std::size_t width = widthInMemory();
@@ -48,8 +54,8 @@ void ZarrArray::readPart(const std::vector<std::size_t>& front, std::uint64_t nu
 	read(starts, counts, values.data());
 	for (std::size_t row = 0; row < held[0] * held[1]; ++row)
 	{
-		const std::size_t to_row = row / held[1] * chunk_[sides - 2] + row % held[1];
-		std::memcpy(to.data() + to_row * chunk_[sides - 1] * width, values.data() + row * held[2] * width,
+		const std::size_t to_row = row / held[1] * layout_.chunk[sides - 2] + row % held[1];
+		std::memcpy(to.data() + to_row * layout_.chunk[sides - 1] * width, values.data() + row * held[2] * width,
 		            held[2] * width);
 	}
 }

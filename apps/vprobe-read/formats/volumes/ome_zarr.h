@@ -1,0 +1,42 @@
+#pragma once
+
+#include "zarr_group.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+// An image of OME-Zarr (NGFF), of versions 0.1 to 0.5: a group whose attributes say which arrays are its levels, and
+// where they lie.
+struct OmeZarr
+{
+	struct Axis
+	{
+		std::string name; // "t", "c", "z", "y", "x", or others
+		std::string type; // "time", "channel", "space", or others
+		std::string unit; // as the file has it; may be empty
+	};
+	struct Level
+	{
+		std::string path;
+		std::vector<double> scale, translation; // along each axis
+	};
+
+	std::vector<Axis> axes;
+	std::vector<Level> levels;                       // the finest first
+	std::vector<std::string> channels;               // labels; mostly fewer than there are, or none
+	std::optional<std::pair<double, double>> window; // of the first channel
+	bool labels = false;                             // whether its values name things
+	std::size_t images = 0;                          // in the group
+
+	// Returns the first image of a group; nothing if it has none. Throws a Refusal if it cannot be followed.
+	static std::optional<OmeZarr> of(const ZarrGroup& group);
+
+	// Returns the place of the axis with such a type; nothing if there is none.
+	std::optional<std::size_t> axisOf(const std::string& type) const;
+	// Returns the number of the axes in space. They are the last ones.
+	std::size_t spaceAxes() const;
+};

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "zarr_codecs.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+// The contents of a JSON file as Python writes it, where NaN and Infinity may stand bare. They become texts. Throws a
+// Refusal that names the file.
+nlohmann::json zarrJson(const std::filesystem::path& file);
+
+// How an array of Zarr lies in its folder, as its JSON says.
+struct ZarrLayout
+{
+	std::vector<std::size_t> shape;
+	std::vector<std::size_t> chunk;             // the sides of what is packed in one piece
+	std::vector<std::size_t> file;              // the sides of what is in one file: of a chunk, or of a shard of them
+	std::vector<std::size_t> order;             // the sides from slowest to fastest, as the values lie in a chunk
+	ZarrType type;                              // kind 0: no numbers, or numbers that are not read
+	std::optional<std::vector<std::byte>> fill; // of missing chunks, in the order of bytes of the file
+	nlohmann::json codecs = nlohmann::json::array(); // in numcodecs' words, in the order in which they were done
+	bool is_sharded = false;
+	bool index_is_first = false;     // of a shard; else it is last
+	bool index_has_checksum = false; // CRC-32C behind it
+	std::string key_front;           // "c" if names of files begin with it
+	std::string separators;          // that may stand between indices in names of files: '.', '/' or both
+
+	// `about`: the contents of .zarray, or of an array's zarr.json. Throws a Refusal that names the array if they
+	// cannot be followed. After "Zarr Storage Specification 2" and "Zarr core specification 3.0".
+	static ZarrLayout of(const nlohmann::json& about, const std::string& name);
+
+	std::size_t chunkBytes() const; // as they are before they are packed
+	// Returns the names that the file of these chunks or shards may have, within the array's folder.
+	std::vector<std::string> namesOfFile(const std::vector<std::size_t>& indices) const;
+	// Returns the indices in such a name; nothing for other names.
+	std::optional<std::vector<std::size_t>> indicesOf(std::string name) const;
+};
