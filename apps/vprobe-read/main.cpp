@@ -34,7 +34,7 @@ namespace
 {
 
 // Its own name and those of protocol.h, without slices.
-constexpr int kArgumentCount = 18;
+constexpr int kArgumentCount = 19;
 
 // Adds to a reason which of the files that an index names is meant.
 std::string withPiece(const std::string& input, std::string reason)
@@ -123,7 +123,8 @@ Request parseRequest(int count, char** arguments)
 	if (*arguments[15])
 		request.stays_above = std::strtoull(arguments[15], nullptr, 10);
 	request.unpack = arguments[16];
-	request.file = arguments[17];
+	request.level = std::strtoull(arguments[17], nullptr, 10);
+	request.file = arguments[18];
 	request.slices.assign(arguments + kArgumentCount, arguments + count);
 	request.arguments = arguments;
 	return request;
@@ -183,6 +184,7 @@ int main(int argc, char** argv)
 		if (request.convert_to.ends_with(".vtkhdf"))
 			needHdf5(request);
 		readAnyFormat(request, manifest);
+		manifest.refuseOtherLevel(request.level);
 		manifest.setSandbox(holdText(hold));
 		for (std::string& refused : refusedFiles())
 			manifest.warn(std::move(refused));

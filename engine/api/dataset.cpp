@@ -54,6 +54,7 @@ Result<Dataset> Dataset::open(const std::vector<std::string>& files, const OpenO
 			    return publicError(set.error());
 		    spec.input.solution = options.solution;
 		    spec.input.refine = options.refine;
+		    spec.input.level = options.level;
 		    spec.input.displace = options.displace;
 		    spec.input.displace_by = options.displace_by;
 		    spec.input.format = options.format;

@@ -84,6 +84,7 @@ struct BlockSet
 	std::vector<Block> blocks;
 	std::vector<double> times;  // in the input, ascending; empty if it has no times
 	std::string time_units{};   // units of the times, as the files name them; empty if they differ or are not named
+	std::size_t levels = 1;     // resolutions that the files have, of which one is here
 	std::size_t left_out = 0;   // cells of dimension below three
 	std::size_t unplaced = 0;   // cells left out because a point of theirs is not finite
 	Interfaces interfaces;      // set by matchInterfaces() when all blocks are finished

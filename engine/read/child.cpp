@@ -179,6 +179,7 @@ std::vector<std::string> argumentsFor(const std::string& file, const ReadOptions
 	    followArgument(options.follow),
 	    options.stays_above ? std::to_string(*options.stays_above) : "",
 	    options.unpack,
+	    std::to_string(options.level),
 	    file};
 	arguments.insert(arguments.end(), options.slices.begin(), options.slices.end());
 	return arguments;

@@ -48,6 +48,8 @@ public:
 		for (const json& file : manifest.value("files", json::array()))
 			input.files.push_back(file.get<std::string>());
 		input.sandbox = wordsOf(manifest.value("sandbox", json("")));
+		if (manifest.contains("levels"))
+			input.levels = countOf(manifest.at("levels"));
 		input.left_out = countOf(manifest.at("left_out"));
 		checkBlocks(manifest.at("blocks"), input);
 		for (CheckedBlock& block : input.blocks)

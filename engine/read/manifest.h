@@ -65,6 +65,7 @@ struct CheckedInput
 	std::vector<grid::PatchPolygons> patches;
 	std::vector<double> times;
 	std::string time_units{};
+	std::size_t levels = 1; // resolutions that the file has
 	std::vector<std::string> warnings;
 	std::vector<std::string> files; // that were read
 	std::size_t left_out = 0;

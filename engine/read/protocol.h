@@ -8,7 +8,7 @@ namespace vp::read
 
 // The protocol between vprobe-read and its parent. The child is started as
 //   vprobe-read TIME SOLUTION REFINE DISPLACE PATCHES THREADS ARRAYS FORMAT RAW TARGET FOLDER PARTS SANDBOX FOLLOW
-//   STAYS UNPACK FILE [SLICE...]
+//   STAYS UNPACK LEVEL FILE [SLICE...]
 // TIME: last, first, a number, or # and an index. SOLUTION: empty or a PLOT3D q file. REFINE: how many times the linear
 // parts of curved cells are halved, or a tolerance, which leaves these cells curved. DISPLACE: a factor
 // for displacements, and behind a blank the name of their array if it is given; empty for none. PATCHES: 1 to read
@@ -18,14 +18,16 @@ namespace vp::read
 // this folder and nowhere else. PARTS: empty for all, "?" to list them, or their numbers with commas between; behind
 // that, "/" and into how many slabs a lattice comes apart that is alone in its file. SANDBOX: auto, require or off.
 // FOLLOW: folders with files that the input may name, one a line, or "anywhere". STAYS: arrays of more bytes than this
-// may stay in the file; empty if none may. UNPACK: empty, see below. SLICE: where several
-// files are the slices of one volume, all of them in their order; FILE is the first. The child writes arrays into two
+// may stay in the file; empty if none may. UNPACK: empty, see below. LEVEL: of images at
+// several resolutions, 0 the finest. SLICE: where several files are the slices of one volume, all of them in their
+// order; FILE is the first. The child writes arrays into two
 // shared memories, each array at a multiple of kArrayAlignment. kCellsFd gets the points and cells of unstructured
 // blocks, which nobody needs after the grid is built, kArraysFd everything else. A JSON manifest that describes them
 // goes to kManifestFd:
 //
 //   {"version", "times": [..], "left_out": cells, "warnings": [..], "files": those that were read, "bytes_read": by the
-//   child from files, "blocks": [{"name", "kind", "arrays": [..], ..}],
+//   child from files, "levels": how many the file has, if there are several, "blocks": [{"name", "kind", "arrays":
+//   [..], ..}],
 //    "patches": [{"name", "coordinates": array, "starts": array, "corners": array}]},
 //   "patches" only on request; where PARTS is not empty, "parts": [{"cells",
 //   "block"}] and "wholes": null or {"kind",
@@ -55,7 +57,7 @@ namespace vp::read
 // standard input; kCellsFd then has three uint64 for each of them: offset, size, left out filters, or its number and
 // two zeros. The parts go to kArraysFd, one behind the other from its beginning, and when all are there, their number
 // as a uint64 to kManifestFd.
-constexpr int kProtocolVersion = 14;
+constexpr int kProtocolVersion = 15;
 constexpr int kArraysFd = 3;
 constexpr int kManifestFd = 4;
 constexpr int kCellsFd = 5;

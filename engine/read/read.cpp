@@ -44,6 +44,7 @@ Result<grid::BlockSet> readFile(ReadAhead& inputs, Timeline* timeline, PartsRead
 	grid::BlockSet set;
 	set.times = std::move(input->times);
 	set.time_units = std::move(input->time_units);
+	set.levels = input->levels;
 	set.left_out = input->left_out;
 	set.unplaced = input->unplaced;
 	if (parts)
@@ -74,6 +75,9 @@ Result<grid::BlockSet> readInput(ReadAhead& inputs, Timeline* timeline, PartsRea
 		return Error{ErrorKind::usage, fmt::format("`displace`: {} is built in and has no displacements; leave the "
 		                                           "setting out, or name a file",
 		                                           input)};
+	if (inputs.next().options.level != 0)
+		return Error{ErrorKind::usage,
+		             fmt::format("`level`: {} is built in and has one level; leave the setting out", input)};
 	inputs.skip();
 	TimedSection timed(timeline, "build");
 	return grid::parseDemo(std::string_view(input).substr(kDemoPrefix.size()), false);
@@ -155,6 +159,7 @@ void addSet(grid::BlockSet set, grid::BlockSet& all)
 	std::move(set.patches.begin(), set.patches.end(), std::back_inserter(all.patches));
 	std::move(set.blocks.begin(), set.blocks.end(), std::back_inserter(all.blocks));
 	addTimes(std::move(set.times), std::move(set.time_units), all.times, all.time_units);
+	all.levels = std::max(all.levels, set.levels);
 	all.left_out += set.left_out;
 	all.unplaced += set.unplaced;
 }

@@ -66,6 +66,7 @@ struct ReadOptions
 	// Curved cells are cut into linear ones over their own points. Each level halves the edges of these once more. A
 	// tolerance (isTolerance()) keeps them as they are, and cuts refine them (grid/curved_cells.h).
 	double refine = 0.0;
+	int level = 0;             // of images at several resolutions, 0 the finest; an error where a file has fewer
 	double displace = 0.0;     // moves the points by their displacements times this factor
 	std::string displace_by{}; // the point array of displacements; if empty, its name tells
 	bool patches = false;      // reads named parts of the boundary: OpenFOAM patches, Exodus side sets
@@ -101,6 +102,7 @@ struct ReadOptions
 };
 
 constexpr int kMaxRefine = 6;
+constexpr int kMaxLevel = 60; // each has half as many points a side
 // Reads all inputs (files, or demo:NAME[:N]) into one block set and finishes it (see finishBlock, matchInterfaces, and
 // `builds_neighbors`). A file is read in a child process (vprobe-read, beside the program or in its libexec
 // folder) which passes its arrays in shared memory. Sizes, types, offsets and ids are checked here before they

@@ -78,6 +78,7 @@ read::ReadOptions readOptions(const view::ViewSpec& spec, const read::TimeChoice
 	return {.time = time,
 	        .solution = input.solution,
 	        .refine = input.refine,
+	        .level = input.level,
 	        .displace = input.displace.value_or(input.displace_by.empty() ? 0.0 : 1.0),
 	        .displace_by = input.displace_by,
 	        .patches = namesPatch(spec),

@@ -49,6 +49,11 @@ Section inputSection(InputSpec& input)
 	                  "array's range",
 	                  read::kMaxRefine),
 	      "LEVEL|TOL", Limits{0, read::kMaxRefine}},
+	     {"level", &input.level,
+	      "Level to read of images that hold several resolutions (OME-Zarr): 0 is the finest, and vprobe info tells "
+	      "how "
+	      "many there are. Figures are those of this level",
+	      "N", Limits{0, read::kMaxLevel}},
 	     {"cell_to_point", &input.cell_to_point,
 	      "Take the values of cells to the points, for smooth colors: each point has the mean of its cells. NaN and "
 	      "hidden "

@@ -242,7 +242,13 @@ def ome_zarr(folder):
         compare(path, reference, [('point:Nuclei', 'point:f'), ('point:Membrane', 'point:f')], ['--time', 'first'])
         last = {array['name']: array['range'][1] for array in info(path, '--time', '#2')['arrays']}
         assert last == {'Nuclei': 3 * values.max(), 'Membrane': values.max() + 2}, last
+        assert (found['levels'], found['level'], found['grid']['points']) == (2, 0, 120), found
         same(path, ['--array', 'Membrane', '--time', '#1'], memory='100')
+        coarse = info(path, '--level', '1', '--time', 'first')
+        assert (coarse['level'], coarse['grid']['points'], coarse['bounds']) == (1, 18, [10, 12, 20, 22, 30, 38]), coarse
+        assert coarse['arrays'][0]['range'] == [values[::2, ::2, ::2].min(), values[::2, ::2, ::2].max()]
+        refused(path, 'it has levels 0 to 1', options=['--level', '2'])
+    refused(reference, 'it has one level', options=['--level', '1'])
 
 
 def ome_zarr_kinds(folder):
@@ -267,6 +273,12 @@ def ome_zarr_kinds(folder):
         'coordinateTransformations': [{'type': 'scale', 'scale': [2, 2, 2]},
                                       {'type': 'translation', 'translation': [1, 1, 1]}]}]}})
     write3(folder / 'wide.zarr' / '0', values, (3, 2, 5))
+    # Means of eight, whose place is not told: their edges are those of all, from -0.5 to 3.5, so they lie at 0.5 and 2.5.
+    axes_of_means = [('0', [1, 1, 1], None), ('1', [2, 2, 2], None)]
+    group3(folder / 'means.zarr', ome_attributes(axes, axes_of_means))
+    for level, side in enumerate((4, 2)):
+        write3(folder / 'means.zarr' / str(level), numpy.zeros((side,) * 3, 'u1'), (2, 2, 2))
+    assert info(folder / 'means.zarr', '--level', '1')['bounds'] == [0.5, 2.5] * 3
     assert info(folder / 'wide.zarr')['bounds'] == [1, 9, 1, 7, 1, 11]  # by hand: 1 + 2 n
 
 

@@ -43,7 +43,7 @@ vprobe::Classify classifyOf(const std::string& word)
 Dataset openFiles(std::vector<std::string> files, std::string time, std::string solution, double refine,
                   std::optional<double> displace, std::string displace_by, std::string format, std::string inputs,
                   const std::string& classify, std::string device, bool cell_to_point, std::vector<std::string> follow,
-                  const py::object& progress)
+                  int level, const py::object& progress)
 {
 	vprobe::OpenOptions options{.time = std::move(time),
 	                            .solution = std::move(solution),
@@ -56,7 +56,8 @@ Dataset openFiles(std::vector<std::string> files, std::string time, std::string 
 	                            .stop = {},
 	                            .inputs = std::move(inputs),
 	                            .cell_to_point = cell_to_point,
-	                            .follow = std::move(follow)};
+	                            .follow = std::move(follow),
+	                            .level = level};
 	return run(
 	    [files = std::move(files), options = std::move(options)](std::stop_token stop) mutable
 	    {
@@ -190,7 +191,8 @@ void addDataset(py::module_& module)
 	using namespace py::literals;
 	py::class_<Dataset>(module, "Dataset")
 	    .def_static("open", openFiles, "files"_a, "time"_a, "solution"_a, "refine"_a, "displace"_a, "displace_by"_a,
-	                "format"_a, "inputs"_a, "classify"_a, "device"_a, "cell_to_point"_a, "follow"_a, "progress"_a)
+	                "format"_a, "inputs"_a, "classify"_a, "device"_a, "cell_to_point"_a, "follow"_a, "level"_a,
+	                "progress"_a)
 	    .def_static("wrap", wrapBlocks, "blocks"_a, "classify"_a, "device"_a)
 	    .def_property_readonly("kind", [](const Dataset& data) { return ask([data] { return data.kind(); }); })
 	    .def_property_readonly("cell_count",

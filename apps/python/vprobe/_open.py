@@ -6,7 +6,7 @@ import os
 from typing import List, Optional, Sequence, Union
 
 from . import _core
-from ._arguments import flag, is_sequence, number, path, text, wrong
+from ._arguments import flag, is_sequence, number, path, text, whole, wrong
 from ._dataset import Dataset
 from ._settings import Progress, listener
 
@@ -24,7 +24,7 @@ def _paths(given: Union[File, Sequence[File]], name: str, takes: str) -> List[by
 def open(files: Union[File, Sequence[File]], *, time: Union[str, float, None] = None, solution: str = '',
          refine: float = 0, displace: Optional[float] = None, displace_by: str = '', format: str = '', inputs: str = 'auto',
          classify: str = 'auto', device: str = '', cell_to_point: bool = False,
-         follow: Union[File, Sequence[File]] = (), progress: Progress = None) -> Dataset:
+         follow: Union[File, Sequence[File]] = (), level: int = 0, progress: Progress = None) -> Dataset:
     """Reads files, or makes a built-in data set.
 
     Parameters
@@ -57,6 +57,8 @@ def open(files: Union[File, Sequence[File]], *, time: Union[str, float, None] = 
     follow : path or sequence of paths
         Files may name others in their own folder. These are further folders for that, or ``"anywhere"``; give them
         for data that you trust.
+    level : int
+        Of images that hold several resolutions (OME-Zarr): 0 is the finest.
     progress : bool or callable, optional
         True prints what takes its time; a callable is given each such line.
 
@@ -84,5 +86,5 @@ def open(files: Union[File, Sequence[File]], *, time: Union[str, float, None] = 
         None if displace is None else number(displace, 'displace'),
         text(displace_by, 'displace_by'), text(format, 'format'), text(inputs, 'inputs'), text(classify, 'classify'),
         text(device, 'device'), flag(cell_to_point, 'cell_to_point'),
-        _paths(follow, 'follow', 'a folder, or several in a sequence'), listener(progress))
+        _paths(follow, 'follow', 'a folder, or several in a sequence'), whole(level, 'level'), listener(progress))
     return Dataset(core, ' '.join(map(os.fsdecode, names)))

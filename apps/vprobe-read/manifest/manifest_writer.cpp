@@ -248,6 +248,13 @@ bool ManifestWriter::describeLattice(vtkDataSet* data, json& block)
 	return true;
 }
 
+void ManifestWriter::refuseOtherLevel(std::size_t level) const
+{
+	if (level >= levels_)
+		throw Refusal(levels_ == 1 ? fmt::format("--level {}: it has one level; leave this out", level)
+		                           : fmt::format("--level {}: it has levels 0 to {}", level, levels_ - 1));
+}
+
 std::string ManifestWriter::finish()
 {
 	for (const auto& [type, cells] : counts_.not_sliced)
@@ -302,6 +309,8 @@ std::string ManifestWriter::finish()
 		if (imaging_.window)
 			imaging["window"] = {imaging_.window->first, imaging_.window->second};
 	}
+	if (levels_ > 1)
+		manifest["levels"] = levels_;
 	if (!time_units_.empty() && !times_.empty())
 		manifest["time_units"] = time_units_;
 	// Names in files need not be UTF-8.

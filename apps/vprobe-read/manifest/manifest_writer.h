@@ -67,6 +67,10 @@ public:
 	void offerTimes(std::vector<double> times) { times_ = std::move(times); }
 	void setLengthUnits(std::string units) { length_units_ = std::move(units); }
 	void setImaging(vp::grid::Imaging imaging) { imaging_ = std::move(imaging); }
+	// Tells how many resolutions the file has.
+	void offerLevels(std::size_t levels) { levels_ = levels; }
+	// Throws a Refusal if the file has no such level.
+	void refuseOtherLevel(std::size_t level) const;
 	void setTimeUnits(std::string units) { time_units_ = std::move(units); }
 	void setSandbox(std::string text) { sandbox_ = std::move(text); }
 	void warn(std::string line);
@@ -103,6 +107,7 @@ private:
 	std::string length_units_;
 	vp::grid::Imaging imaging_;
 	std::string time_units_;
+	std::size_t levels_ = 1;
 	CellCounts counts_;
 	nlohmann::json left_out_ = nlohmann::json::array();
 	std::string prefix_;

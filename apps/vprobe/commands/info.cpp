@@ -110,7 +110,7 @@ nlohmann::json partsJson(const grid::Field& field)
 	return {{"all", field.stored->layout().partCount()}, {"shape", field.stored->layout().part}};
 }
 
-nlohmann::json infoJson(const grid::BlockSet& blocks)
+nlohmann::json infoJson(const grid::BlockSet& blocks, int level)
 {
 	nlohmann::json arrays = nlohmann::json::array();
 	for (const auto& [field, range, is_known] : listArrays(blocks))
@@ -173,6 +173,8 @@ nlohmann::json infoJson(const grid::BlockSet& blocks)
 	        {"bounds", {bounds.lo.x, bounds.hi.x, bounds.lo.y, bounds.hi.y, bounds.lo.z, bounds.hi.z}},
 	        {"length_units", units},
 	        {"times", blocks.times},
+	        {"levels", blocks.levels},
+	        {"level", level},
 	        {"time_units", blocks.time_units.empty() ? nlohmann::json() : nlohmann::json(blocks.time_units)},
 	        {"arrays", arrays}};
 }
@@ -279,7 +281,7 @@ void printMeetings(const grid::BlockSet& blocks)
 	printMore(overlaps.size());
 }
 
-void printInfo(const grid::BlockSet& blocks)
+void printInfo(const grid::BlockSet& blocks, int level)
 {
 	const Box bounds = blocks.bounds();
 	print("grid    {}, {} cells, {} points, {} block{}\n", blocks.kind(), blocks.sourceCellCount(),
@@ -299,6 +301,8 @@ void printInfo(const grid::BlockSet& blocks)
 	if (!blocks.times.empty())
 		print("times   {}: {}{}{}\n", blocks.times.size(), timesAsWords(blocks.times),
 		      blocks.time_units.empty() ? "" : " ", blocks.time_units);
+	if (blocks.levels > 1)
+		print("levels  {}, of which {} is shown; 0 is the finest\n", blocks.levels, level);
 	const auto arrays = listArrays(blocks);
 	if (arrays.empty())
 		print("arrays  none\n");
@@ -348,9 +352,9 @@ Result<ExitCode> runInfo(const InfoOptions& options)
 	if (!blocks)
 		return blocks.error();
 	if (options.json)
-		print("{}\n", infoJson(*blocks).dump(1, '\t', false, nlohmann::json::error_handler_t::replace));
+		print("{}\n", infoJson(*blocks, input.level).dump(1, '\t', false, nlohmann::json::error_handler_t::replace));
 	else
-		printInfo(*blocks);
+		printInfo(*blocks, input.level);
 	return ExitCode::done;
 }
 

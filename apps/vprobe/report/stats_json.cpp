@@ -254,7 +254,7 @@ nlohmann::json partsJson(const session::Session& session)
 	        {"kept", use->kept},
 	        {"bytes_read", use->bytes_read},
 	        {"bytes_met", use->bytes_met},
-	        {"level", 0}};
+	        {"level", session.spec().input.level}};
 }
 
 nlohmann::json inputJson(const session::Session& session)

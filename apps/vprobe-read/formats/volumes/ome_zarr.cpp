@@ -63,9 +63,10 @@ std::vector<double> numbersIn(const json& given, const char* key, std::size_t co
 	return numbers;
 }
 
-// Carries out transformations in their order.
-void transform(OmeZarr::Level& level, const json& transformations)
+// Carries out transformations in their order. Returns true if one of them is a translation.
+bool transform(OmeZarr::Level& level, const json& transformations)
 {
+	bool is_placed = false;
 	for (const json& one : transformations)
 	{
 		const std::string type = textIn(one, "type");
@@ -85,9 +86,18 @@ void transform(OmeZarr::Level& level, const json& transformations)
 			}
 			else
 				level.translation[i] += numbers[i];
+		is_placed = is_placed || type == "translation";
 	}
 	if (std::any_of(level.scale.begin(), level.scale.end(), [](double scale) { return !(scale > 0.0); }))
 		throw notFollowed("a scale that is not above 0");
+	return is_placed;
+}
+
+// A coarser level whose place is not told has the outer edges of the finest: its values are means of several.
+void alignEdges(OmeZarr::Level& level, const OmeZarr::Level& finest, std::size_t space)
+{
+	for (std::size_t i = level.scale.size() - space; i < level.scale.size(); ++i)
+		level.translation[i] = finest.translation[i] + (level.scale[i] - finest.scale[i]) / 2.0;
 }
 
 // A path within the group: the files of others are none of an image's.
@@ -143,10 +153,13 @@ std::optional<OmeZarr> OmeZarr::of(const ZarrGroup& group)
 	{
 		Level level{pathOf(dataset), std::vector<double>(image.axes.size(), 1.0),
 		            std::vector<double>(image.axes.size(), 0.0)};
-		transform(level, listIn(dataset, "coordinateTransformations"));
-		transform(level, listIn(images[0], "coordinateTransformations"));
+		const bool is_placed = transform(level, listIn(dataset, "coordinateTransformations"));
+		if (!is_placed && !image.levels.empty())
+			alignEdges(level, image.levels.front(), space);
 		image.levels.push_back(level);
 	}
+	for (Level& level : image.levels)
+		transform(level, listIn(images[0], "coordinateTransformations"));
 	if (image.levels.empty())
 		throw notFollowed("no levels");
 	takeChannels(image, listIn(about.value("omero", json()), "channels"));

@@ -1,4 +1,4 @@
-// Images of OME-Zarr: the finest level of the first one. Time is an axis, and each channel is an array.
+// Images of OME-Zarr: a level of the first one. Time is an axis, and each channel is an array.
 #include "read_ome_zarr.h"
 #include "ome_zarr.h"
 #include "vprobe-read/arrays/stored_array.h"
@@ -46,11 +46,10 @@ NumberType numberTypeOf(const ZarrType& type, const std::string& name)
 }
 
 // Spacing and origin of x, y and z in one unit.
-void placeImage(const OmeZarr& image, vtkImageData& data, ManifestWriter& manifest)
+void placeImage(const OmeZarr& image, const OmeZarr::Level& level, vtkImageData& data, ManifestWriter& manifest)
 {
 	std::array<double, 3> spacing{1.0, 1.0, 1.0}, origin{};
 	std::array<std::string, 3> units;
-	const OmeZarr::Level& level = image.levels.front();
 	for (std::size_t axis = 0; axis < image.spaceAxes(); ++axis)
 	{
 		const std::size_t place = image.axes.size() - 1 - axis;
@@ -119,7 +118,9 @@ vtkSmartPointer<vtkDataArray> arrayAt(const ZarrArray& array, const ValueLayout&
 
 void readOmeZarr(const OmeZarr& image, const Request& request, ManifestWriter& manifest)
 {
-	const OmeZarr::Level& level = image.levels.front();
+	manifest.offerLevels(image.levels.size());
+	manifest.refuseOtherLevel(request.level);
+	const OmeZarr::Level& level = image.levels[request.level];
 	const std::filesystem::path folder = std::filesystem::path(request.file) / level.path;
 	const auto about = zarrArrayJson(folder);
 	if (!about)
@@ -157,7 +158,7 @@ void readOmeZarr(const OmeZarr& image, const Request& request, ManifestWriter& m
 	}
 	if (!data)
 		throw Refusal(fmt::format("its level {} has no values", level.path));
-	placeImage(image, *data, manifest);
+	placeImage(image, level, *data, manifest);
 	if (image.images > 1)
 		manifest.warn(fmt::format("it has {} images; the first is shown", image.images));
 	vp::grid::Imaging imaging{"rows-down", !image.labels, image.labels};
