@@ -7,6 +7,9 @@
 #include <blosc.h>
 #include <libdeflate.h>
 
+namespace vp::reader::arrays
+{
+
 namespace
 {
 
@@ -51,3 +54,5 @@ bool unshuffle(std::span<const std::byte> packed, std::span<std::byte> to, std::
 	          to.begin() + static_cast<std::ptrdiff_t>(count * width));
 	return true;
 }
+
+} // namespace vp::reader::arrays

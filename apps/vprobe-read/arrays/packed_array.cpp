@@ -8,6 +8,9 @@
 
 #include <unistd.h>
 
+namespace vp::reader::arrays
+{
+
 namespace
 {
 
@@ -222,3 +225,5 @@ std::span<const std::byte> PackedArray::part(std::size_t index, std::uint64_t mo
 	}
 	return wanted;
 }
+
+} // namespace vp::reader::arrays

@@ -11,7 +11,10 @@
 #include <algorithm>
 #include <bit>
 
-using vp::grid::NumberType;
+namespace vp::reader::arrays
+{
+
+using grid::NumberType;
 
 namespace
 {
@@ -83,3 +86,5 @@ vtkSmartPointer<vtkImageData> imageOf(vtkDataArray* array, const std::array<std:
 	image->GetPointData()->SetScalars(array);
 	return image;
 }
+
+} // namespace vp::reader::arrays

@@ -8,6 +8,9 @@
 
 #include <zlib.h>
 
+namespace vp::reader
+{
+
 namespace
 {
 
@@ -140,3 +143,5 @@ std::string unpackEntry(const ZipEntry& entry)
 		throw damaged(fmt::format("the checksum of {} is wrong", entry.name));
 	return bytes;
 }
+
+} // namespace vp::reader

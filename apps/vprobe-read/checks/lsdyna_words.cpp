@@ -8,6 +8,9 @@
 #include <cmath>
 #include <cstring>
 
+namespace vp::reader::checks
+{
+
 namespace
 {
 
@@ -189,3 +192,5 @@ std::size_t LsdynaControl::stateWords() const
 	                       : deletion == Deletion::elements ? elementCount()
 	                                                        : 0);
 }
+
+} // namespace vp::reader::checks

@@ -6,6 +6,9 @@
 #include <string>
 #include <string_view>
 
+namespace vp::reader::checks
+{
+
 // Reads the words of a d3plot file. They have 4 or 8 bytes, in either byte order.
 class LsdynaWords
 {
@@ -77,3 +80,5 @@ private:
 	std::size_t head_words_ = 64;
 	std::size_t material_words_ = 0;
 };
+
+} // namespace vp::reader::checks

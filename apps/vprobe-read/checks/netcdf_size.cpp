@@ -10,6 +10,9 @@
 #include <string_view>
 #include <vector>
 
+namespace vp::reader::checks
+{
+
 namespace
 {
 
@@ -166,3 +169,5 @@ std::set<std::string> netcdfNames(const std::string& file)
 	header.size();
 	return header.names();
 }
+
+} // namespace vp::reader::checks

@@ -13,6 +13,9 @@
 #include <string>
 #include <string_view>
 
+namespace vp::reader::checks
+{
+
 namespace
 {
 
@@ -78,3 +81,5 @@ void refuseOtherPrograms(const FileHead& head)
 {
 	head.isFolder() ? refuseOtherZarr(head) : refuseOtherMeshes(head);
 }
+
+} // namespace vp::reader::checks

@@ -17,6 +17,9 @@
 #include <new>
 #include <string_view>
 
+namespace vp::reader::checks
+{
+
 namespace
 {
 
@@ -211,3 +214,5 @@ void refuseDeepXml(const std::string& file)
 {
 	refuseDeep(MappedText(file).text());
 }
+
+} // namespace vp::reader::checks

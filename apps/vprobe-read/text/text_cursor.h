@@ -4,12 +4,15 @@
 #include <cstdint>
 #include <string_view>
 
+namespace vp::reader::text
+{
+
 // Walks through the numbers of a file, which are text or, if the file says so, bytes. Throws a Refusal past the end,
 // and if a word is not a number but should be one.
-class TextCursor
+class Cursor
 {
 public:
-	explicit TextCursor(std::string_view text) : text_(text) {}
+	explicit Cursor(std::string_view text) : text_(text) {}
 
 	bool atEnd(); // behind white space
 	std::string_view line();
@@ -42,9 +45,11 @@ private:
 };
 
 template <class Number>
-Number TextCursor::binary()
+Number Cursor::binary()
 {
 	Number number;
 	take(&number, sizeof number);
 	return number;
 }
+
+} // namespace vp::reader::text

@@ -12,7 +12,10 @@
 #include <type_traits>
 #include <vector>
 
-using vp::grid::NumberType;
+namespace vp::reader::text
+{
+
+using grid::NumberType;
 
 namespace
 {
@@ -33,7 +36,7 @@ public:
 		values_.reserve(kBatch);
 	}
 
-	TextNumbers read(std::string_view text)
+	Numbers read(std::string_view text)
 	{
 		const char* at = text.data();
 		const char* const end = at + text.size();
@@ -87,7 +90,7 @@ private:
 
 	T toNumber(std::string_view word) const
 	{
-		const std::optional<double> value = vp::parseReal(word);
+		const std::optional<double> value = parseReal(word);
 		if (!value)
 			throw damaged(fmt::format("\"{}\" in {} is no number", word.substr(0, 40), array_));
 		if constexpr (std::is_floating_point_v<T>)
@@ -123,12 +126,12 @@ private:
 	const std::string& array_;
 	const NumberTarget& target_;
 	std::vector<T> values_;
-	TextNumbers found_;
+	Numbers found_;
 };
 
 } // namespace
 
-TextNumbers readNumbers(std::string_view text, NumberType type, const std::string& array, const NumberTarget& target)
+Numbers readNumbers(std::string_view text, NumberType type, const std::string& array, const NumberTarget& target)
 {
 	switch (type)
 	{
@@ -168,3 +171,5 @@ std::size_t lengthOfMarkup(std::string_view text)
 	const std::size_t found = text.find(closing);
 	return text.starts_with("<![") || found == text.npos ? 0 : found + closing.size();
 }
+
+} // namespace vp::reader::text

@@ -8,8 +8,11 @@
 #include <string>
 #include <string_view>
 
+namespace vp::reader::text
+{
+
 // Describes the numbers of an array in text.
-struct TextNumbers
+struct Numbers
 {
 	std::uint64_t count = 0;
 	std::int64_t last = 0;    // of whole numbers; 0 if there are none
@@ -34,8 +37,9 @@ struct NumberTarget
 
 // Reads the numbers of a text in every spelling of base/real_text.h. Integers may be written as 1.0 or 1e3. Throws a
 // Refusal, which names the array and the word, if a word is not a number or does not fit into the type.
-TextNumbers readNumbers(std::string_view text, vp::grid::NumberType type, const std::string& array,
-                        const NumberTarget& target);
+Numbers readNumbers(std::string_view text, grid::NumberType type, const std::string& array, const NumberTarget& target);
 
 // The length of the comment, or of the element with all that it holds, at which a text begins; 0 if it does not end.
 std::size_t lengthOfMarkup(std::string_view text);
+
+} // namespace vp::reader::text

@@ -11,6 +11,9 @@
 #include <cmath>
 #include <cstring>
 
+namespace vp::reader::codes
+{
+
 namespace
 {
 
@@ -55,7 +58,7 @@ void readAmrexBox(std::span<const std::int64_t> numbers, std::array<std::int64_t
 	}
 }
 
-std::int64_t countOf(TextCursor& at, std::int64_t most)
+std::int64_t countOf(text::Cursor& at, std::int64_t most)
 {
 	const std::int64_t count = at.integer();
 	if (count < 0 || count > most)
@@ -63,7 +66,7 @@ std::int64_t countOf(TextCursor& at, std::int64_t most)
 	return count;
 }
 
-double finite(TextCursor& at)
+double finite(text::Cursor& at)
 {
 	const double number = at.real();
 	if (!std::isfinite(number))
@@ -136,7 +139,7 @@ private:
 		plot_.folders.emplace_back(at_.word()); // Level_0/Cell
 	}
 
-	TextCursor at_;
+	text::Cursor at_;
 	AmrexPlot plot_;
 	std::size_t levels_ = 0;
 };
@@ -150,7 +153,7 @@ AmrexPlot parseAmrexHeader(std::string_view text)
 
 std::vector<AmrexBoxData> parseAmrexLevel(std::string_view text)
 {
-	TextCursor at(text);
+	text::Cursor at(text);
 	for (int line = 0; line < 4; ++line)
 		at.line();                                              // version, way of writing, components, ghost cells
 	const std::vector<std::int64_t> head = wholesIn(at.line()); // "(4 0"
@@ -231,3 +234,5 @@ std::vector<double> amrexValues(std::string_view file, const AmrexBoxData& box, 
 			}
 	return values;
 }
+
+} // namespace vp::reader::codes

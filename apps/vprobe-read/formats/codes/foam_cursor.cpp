@@ -13,6 +13,9 @@
 #include <cstring>
 #include <optional>
 
+namespace vp::reader::codes
+{
+
 namespace
 {
 
@@ -218,7 +221,7 @@ std::int64_t FoamCursor::integer()
 double FoamCursor::real()
 {
 	const std::string_view digits = number();
-	if (const std::optional<double> value = vp::parseReal(digits))
+	if (const std::optional<double> value = parseReal(digits))
 		return *value;
 	throw damaged(fmt::format("\"{}\" where a number is wanted", digits.substr(0, 20)));
 }
@@ -365,3 +368,5 @@ FoamFaces FoamCursor::faces(bool is_compact)
 	expect(')');
 	return faces;
 }
+
+} // namespace vp::reader::codes

@@ -9,6 +9,9 @@
 #include <type_traits>
 #include <vector>
 
+namespace vp::reader::codes
+{
+
 // A file of records of 512 bytes, with numbers in the order of big endian. What lies past its end is a Refusal.
 class MfixRecords
 {
@@ -60,3 +63,5 @@ private:
 	std::string_view bytes_;
 	std::size_t at_;
 };
+
+} // namespace vp::reader::codes

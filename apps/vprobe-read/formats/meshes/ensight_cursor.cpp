@@ -14,6 +14,9 @@
 #include <optional>
 #include <sstream>
 
+namespace vp::reader::meshes
+{
+
 namespace
 {
 
@@ -301,7 +304,7 @@ double EnSightCursor::textReal()
 	while (end < bytes_.size() && !isWhite(bytes_[end]))
 		++end;
 	const std::string_view all = bytes_.substr(at_, end - at_);
-	if (const std::optional<double> value = vp::parseReal(all))
+	if (const std::optional<double> value = parseReal(all))
 	{
 		at_ = end;
 		return *value;
@@ -319,7 +322,7 @@ double EnSightCursor::textReal()
 		if (is_letter && length + 1 < all.size() && (all[length + 1] == '-' || all[length + 1] == '+'))
 			++length;
 	}
-	const std::optional<double> value = vp::parseReal(all.substr(0, length));
+	const std::optional<double> value = parseReal(all.substr(0, length));
 	if (!value)
 		refuse(fmt::format("\"{}\" where a number is wanted", ensightWords(all)));
 	at_ += length;
@@ -352,3 +355,5 @@ void EnSightCursor::skip(std::int64_t numbers)
 	else
 		at_ += static_cast<std::size_t>(numbers) * 4;
 }
+
+} // namespace vp::reader::meshes

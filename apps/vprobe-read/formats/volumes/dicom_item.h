@@ -10,6 +10,9 @@
 #include <string_view>
 #include <vector>
 
+namespace vp::reader::volumes
+{
+
 // Elements of a DICOM data set, or of an item of a sequence in it.
 class DicomItem
 {
@@ -60,3 +63,5 @@ std::vector<double> numbersInBytes(std::string_view bytes)
 	}
 	return numbers;
 }
+
+} // namespace vp::reader::volumes

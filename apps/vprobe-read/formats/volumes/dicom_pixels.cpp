@@ -16,6 +16,9 @@
 #include <cstring>
 #include <filesystem>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -288,3 +291,5 @@ std::vector<double> DicomPixels::frame(std::size_t index)
 			    std::clamp(value - form_.table_first, 0.0, static_cast<double>(form_.table->size() - 1)))];
 	return values;
 }
+
+} // namespace vp::reader::volumes

@@ -11,6 +11,9 @@
 #include <sstream>
 #include <string_view>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -99,3 +102,5 @@ std::optional<DicomSlice> dicomSlice(const std::string& file)
 	slice.frames = static_cast<int>(std::clamp(root.hint(gdcm::Tag(0x0028, 0x0008)).value_or(1.0), 1.0, 1e9));
 	return slice;
 }
+
+} // namespace vp::reader::volumes

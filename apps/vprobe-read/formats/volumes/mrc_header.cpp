@@ -11,7 +11,10 @@
 #include <cstring>
 #include <numbers>
 
-using vp::grid::NumberType;
+namespace vp::reader::volumes
+{
+
+using grid::NumberType;
 
 namespace
 {
@@ -134,7 +137,7 @@ std::uint64_t MrcHeader::bytesOfVolume() const
 {
 	if (!isPacked())
 		return layout_.byteCount();
-	ValueLayout bytes = layout_;
+	arrays::ValueLayout bytes = layout_;
 	bytes.points[0] = bytes.points[0] / 2 + bytes.points[0] % 2;
 	return bytes.byteCount();
 }
@@ -190,3 +193,5 @@ MrcHeader::Place MrcHeader::place() const
 		place.origin[row] = is_turned ? -origin[row] : origin[row];
 	return place;
 }
+
+} // namespace vp::reader::volumes

@@ -8,7 +8,10 @@
 #include <charconv>
 #include <vector>
 
-using vp::grid::NumberType;
+namespace vp::reader::volumes
+{
+
+using grid::NumberType;
 
 namespace
 {
@@ -108,3 +111,5 @@ std::optional<NpyArray> parseNpy(std::string_view file, bool takes_pictures)
 	std::copy(shape.begin(), shape.end(), array.layout.points.begin());
 	return array;
 }
+
+} // namespace vp::reader::volumes

@@ -11,6 +11,9 @@
 #include <cmath>
 #include <cstring>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -225,3 +228,5 @@ double SegyFile::sample(std::size_t trace, std::size_t index) const
 		return number<float>(at);
 	}
 }
+
+} // namespace vp::reader::volumes

@@ -5,6 +5,9 @@
 #include <string>
 #include <string_view>
 
+namespace vp::reader::volumes
+{
+
 // What the header of a trace says.
 struct SegyTrace
 {
@@ -56,3 +59,5 @@ private:
 	bool has_cdp_ = false;
 	std::string note_;
 };
+
+} // namespace vp::reader::volumes

@@ -12,7 +12,10 @@
 
 #include <tiffio.h>
 
-using vp::grid::NumberType;
+namespace vp::reader::volumes
+{
+
+using grid::NumberType;
 
 namespace
 {
@@ -279,3 +282,5 @@ void TiffPages::readBehindFirst(std::uint64_t plane, char* to)
 		for (char* value = to; value < to + bytes; value += width)
 			std::reverse(value, value + width);
 }
+
+} // namespace vp::reader::volumes

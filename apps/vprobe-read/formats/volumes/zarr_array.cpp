@@ -15,6 +15,9 @@
 #include <cstring>
 #include <limits>
 
+namespace vp::reader::volumes
+{
+
 using nlohmann::json;
 
 namespace
@@ -156,7 +159,7 @@ json zarrJson(const fs::path& file)
 		}
 		at += bare;
 	}
-	const json parsed = parseJson(text);
+	const json parsed = text::parseJson(text);
 	if (!parsed.is_object())
 		throw damaged(fmt::format("{} is no JSON", (file.parent_path().filename() / file.filename()).string()));
 	return parsed;
@@ -365,3 +368,5 @@ void ZarrArray::read(const Sides& starts, const Sides& counts, std::byte* given)
 		std::memcpy(given + 4 * i, &number, 4);
 	}
 }
+
+} // namespace vp::reader::volumes

@@ -12,6 +12,9 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+namespace vp::reader::volumes
+{
+
 // The contents of a JSON file as Python writes it, where NaN and Infinity may stand bare. They become texts. Throws a
 // Refusal that names the file.
 nlohmann::json zarrJson(const std::filesystem::path& file);
@@ -36,7 +39,7 @@ public:
 
 	// Returns the place of a lattice that is the last three sides, at these indices of the others. Its parts are the
 	// chunks. Returns nothing for fewer sides.
-	std::optional<StoredPlace> storedPlace(const std::vector<std::size_t>& front) const;
+	std::optional<arrays::StoredPlace> storedPlace(const std::vector<std::size_t>& front) const;
 	// Reads such a part. Its last three sides are those of a chunk, also where that reaches beyond the array.
 	void readPart(const std::vector<std::size_t>& front, std::uint64_t number, std::span<std::byte> to) const;
 	std::size_t partBytes() const;
@@ -66,3 +69,5 @@ private:
 	std::optional<std::vector<std::byte>> fill_; // in the order of bytes of the file
 	ZarrCodecs codecs_;
 };
+
+} // namespace vp::reader::volumes

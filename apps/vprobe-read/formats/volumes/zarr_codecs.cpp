@@ -19,6 +19,9 @@
 #include <zlib.h>
 #include <zstd.h>
 
+namespace vp::reader::volumes
+{
+
 using nlohmann::json;
 
 namespace
@@ -216,11 +219,11 @@ bool ZarrCodecs::Step::undoNumbers(Bytes packed, std::span<std::byte> to) const
 bool ZarrCodecs::Step::undo(Bytes packed, std::span<std::byte> to) const
 {
 	if (id == "blosc")
-		return unpackBlosc(packed, to);
+		return arrays::unpackBlosc(packed, to);
 	if (id == "zlib")
-		return inflateZlib(packed, to);
+		return arrays::inflateZlib(packed, to);
 	if (id == "gzip")
-		return inflateGzip(packed, to);
+		return arrays::inflateGzip(packed, to);
 	if (id == "zstd")
 		return ZSTD_decompress(to.data(), to.size(), packed.data(), packed.size()) == to.size();
 	if (id == "lz4")
@@ -234,7 +237,7 @@ bool ZarrCodecs::Step::undo(Bytes packed, std::span<std::byte> to) const
 	if (id == "crc32")
 		return checkCrc(packed, to);
 	if (id == "shuffle")
-		return unshuffle(packed, to, width);
+		return arrays::unshuffle(packed, to, width);
 	std::ranges::copy(packed, to.begin()); // "bitround"
 	return true;
 }
@@ -256,3 +259,5 @@ std::vector<std::byte> ZarrCodecs::unpack(Bytes packed, std::size_t bytes, const
 		throw damaged(fmt::format("{} has {} bytes where {} are wanted", where, at.size(), bytes));
 	return at;
 }
+
+} // namespace vp::reader::volumes

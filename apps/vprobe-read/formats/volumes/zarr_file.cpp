@@ -8,6 +8,9 @@
 
 #include <algorithm>
 
+namespace vp::reader::volumes
+{
+
 using nlohmann::json;
 
 namespace
@@ -18,7 +21,7 @@ namespace fs = std::filesystem;
 int newFileInMemory()
 {
 	int id = -1;
-	NetcdfFile::check(nc_create("zarr", NC_NETCDF4 | NC_DISKLESS, &id));
+	hdf5::NetcdfFile::check(nc_create("zarr", NC_NETCDF4 | NC_DISKLESS, &id));
 	return id;
 }
 
@@ -60,17 +63,17 @@ void putNumbers(int id, int variable, const std::string& name, const json& numbe
 	if (are([](const json& one) { return one.is_number_unsigned(); }))
 	{
 		const auto all = numbers.get<std::vector<unsigned long long>>();
-		NetcdfFile::check(nc_put_att_ulonglong(id, variable, name.c_str(), NC_UINT64, all.size(), all.data()));
+		hdf5::NetcdfFile::check(nc_put_att_ulonglong(id, variable, name.c_str(), NC_UINT64, all.size(), all.data()));
 	}
 	else if (are([](const json& one) { return one.is_number_integer(); }))
 	{
 		const auto all = numbers.get<std::vector<long long>>();
-		NetcdfFile::check(nc_put_att_longlong(id, variable, name.c_str(), NC_INT64, all.size(), all.data()));
+		hdf5::NetcdfFile::check(nc_put_att_longlong(id, variable, name.c_str(), NC_INT64, all.size(), all.data()));
 	}
 	else
 	{
 		const auto all = numbers.get<std::vector<double>>();
-		NetcdfFile::check(nc_put_att_double(id, variable, name.c_str(), NC_DOUBLE, all.size(), all.data()));
+		hdf5::NetcdfFile::check(nc_put_att_double(id, variable, name.c_str(), NC_DOUBLE, all.size(), all.data()));
 	}
 }
 
@@ -94,7 +97,7 @@ void putAttribute(int id, int variable, const std::string& name, const json& val
 	else if (value.is_string() || value.is_boolean())
 	{
 		const std::string text = value.is_string() ? value.get<std::string>() : value.get<bool>() ? "true" : "false";
-		NetcdfFile::check(nc_put_att_text(id, variable, name.c_str(), text.size(), text.c_str()));
+		hdf5::NetcdfFile::check(nc_put_att_text(id, variable, name.c_str(), text.size(), text.c_str()));
 	}
 }
 
@@ -136,7 +139,7 @@ json missingIn(const json& about, const json& attributes)
 
 } // namespace
 
-ZarrFile::ZarrFile(const std::string& given) : NetcdfFile(newFileInMemory())
+ZarrFile::ZarrFile(const std::string& given) : hdf5::NetcdfFile(newFileInMemory())
 {
 	const fs::path folder = fs::absolute(given).lexically_normal();
 	const std::string lone = (folder.has_filename() ? folder : folder.parent_path()).filename().string();
@@ -215,7 +218,7 @@ void ZarrFile::addArray(const fs::path& folder, const std::string& name, const j
 	arrays_.emplace(variable, std::move(array));
 }
 
-std::optional<StoredPlace> ZarrFile::storedPlace(int variable, const std::vector<std::size_t>& front) const
+std::optional<arrays::StoredPlace> ZarrFile::storedPlace(int variable, const std::vector<std::size_t>& front) const
 {
 	return arrays_.at(variable).storedPlace(front);
 }
@@ -225,3 +228,5 @@ void ZarrFile::readSlab(int variable, const std::vector<std::size_t>& starts, co
 {
 	arrays_.at(variable).read(starts, counts, static_cast<std::byte*>(to));
 }
+
+} // namespace vp::reader::volumes

@@ -8,11 +8,14 @@
 #include <algorithm>
 #include <cstring>
 
-std::optional<StoredPlace> ZarrArray::storedPlace(const std::vector<std::size_t>& front) const
+namespace vp::reader::volumes
+{
+
+std::optional<arrays::StoredPlace> ZarrArray::storedPlace(const std::vector<std::size_t>& front) const
 {
 	if (shape_.size() != front.size() + 3)
 		return std::nullopt;
-	StoredPlace place{.file = (folder_ / ".zarray").string()};
+	arrays::StoredPlace place{.file = (folder_ / ".zarray").string()};
 	for (std::size_t axis = 0; axis < 3; ++axis)
 		place.part[axis] = chunk_[front.size() + 2 - axis];
 	place.reader = fmt::format("zarr {}", fmt::join(front, " "));
@@ -53,3 +56,5 @@ void ZarrArray::readPart(const std::vector<std::size_t>& front, std::uint64_t nu
 		            held[2] * width);
 	}
 }
+
+} // namespace vp::reader::volumes

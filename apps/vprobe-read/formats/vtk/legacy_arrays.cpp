@@ -12,7 +12,10 @@
 #include <cmath>
 #include <optional>
 
-using vp::grid::NumberType;
+namespace vp::reader::vtk
+{
+
+using grid::NumberType;
 
 namespace
 {
@@ -104,7 +107,7 @@ void LegacyArrays::copyReals(const std::string& word, std::size_t count)
 	for (std::size_t i = 0; i < count; ++i)
 	{
 		const std::string_view digits = at_.word();
-		const std::optional<double> number = vp::parseReal(digits);
+		const std::optional<double> number = parseReal(digits);
 		if (!number || !std::isfinite(*number))
 			throw damaged(fmt::format("\"{}\" in its {} is no finite number", digits.substr(0, 40), word));
 		double known = 0.0;
@@ -155,8 +158,8 @@ std::int64_t LegacyArrays::copyNumbers(NumberType type, std::uint64_t values, co
 		return 0;
 	if (is_text_)
 	{
-		const TextNumbers numbers =
-		    readNumbers(text_.substr(at_.place()), type, words, {.to = to_, .order = ByteOrder::big, .most = values});
+		const text::Numbers numbers = text::readNumbers(text_.substr(at_.place()), type, words,
+		                                                {.to = to_, .order = text::ByteOrder::big, .most = values});
 		checkLegacyCount(numbers.count, values, words);
 		at_.moveTo(at_.place() + numbers.behind);
 		write("\n");
@@ -235,3 +238,5 @@ void LegacyArrays::copyText(const std::string& words)
 	write(rest.substr(0, bytes + length));
 	at_.moveTo(at_.place() + bytes + length);
 }
+
+} // namespace vp::reader::vtk

@@ -13,6 +13,9 @@
 #include <fstream>
 #include <optional>
 
+namespace vp::reader::wrapped
+{
+
 namespace
 {
 
@@ -202,3 +205,5 @@ void refuseShortSolution(const std::string& solution, const Plot3dLayout& grid)
 	if (there < wanted)
 		throw damaged(fmt::format("the solution {} has {} bytes where its grid asks for {}", solution, there, wanted));
 }
+
+} // namespace vp::reader::wrapped
