@@ -31,6 +31,7 @@ struct ValueLayout
 
 // Returns the type of numbers that VTK calls so, or nothing for other types.
 std::optional<grid::NumberType> numberTypeOfVtk(int type);
+int vtkTypeOf(grid::NumberType type);
 
 // Says whether an array gets room for its values.
 enum class Room

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <array>
+#include "vprobe-read/base/bytes.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -36,7 +37,7 @@ private:
 
 	std::string_view bytes_;
 	std::size_t width_ = 4;
-	bool swapped_ = false;
+	ByteOrder order_ = ByteOrder::little;
 };
 
 // Holds the control words, which "LS-DYNA Database Binary Output Files" (LSTC) describes.

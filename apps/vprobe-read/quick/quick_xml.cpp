@@ -6,11 +6,11 @@
 #include "quick_lattice.h"
 #include "tasks.h"
 #include "vprobe-read/arrays/stored_place.h"
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/is_one_of.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <set>
 
 namespace vp::reader::quick
@@ -88,7 +88,7 @@ private:
 			{
 				arrays::Scratch scratch;
 				const auto packed = file_.open(array, sizeof time);
-				std::memcpy(&time, packed->part(0, sizeof time, scratch).data(), sizeof time);
+				time = numberAt<double>(packed->part(0, sizeof time, scratch).data());
 			}
 			block_.times.push_back(time);
 		}

@@ -1,6 +1,8 @@
 #include "xml_copy.h"
 
+#include "parts/part_bytes.h"
 #include "quick_file.h"
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/is_one_of.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/text/text_numbers.h"
@@ -8,9 +10,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
-#include <cstring>
 #include <map>
+#include <span>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -22,8 +23,6 @@ using grid::NumberType;
 
 namespace
 {
-
-static_assert(std::endian::native == std::endian::little);
 
 std::string escapedText(std::string_view text)
 {
@@ -116,7 +115,7 @@ std::int64_t lastWhole(NumberType type, std::string_view bytes)
 	const auto last = [&](auto number) -> std::int64_t
 	{
 		if (bytes.size() >= sizeof number)
-			std::memcpy(&number, bytes.data() + bytes.size() - sizeof number, sizeof number);
+			number = numberAt<decltype(number)>(bytes.data() + bytes.size() - sizeof number);
 		return static_cast<std::int64_t>(number);
 	};
 	switch (type)
@@ -132,13 +131,6 @@ std::int64_t lastWhole(NumberType type, std::string_view bytes)
 	default:
 		return -1;
 	}
-}
-
-void swapEach(std::string& bytes, std::size_t each)
-{
-	for (std::size_t at = 0; at + each <= bytes.size(); at += each)
-		std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(at),
-		             bytes.begin() + static_cast<std::ptrdiff_t>(at + each));
 }
 
 std::size_t bytesOfValue(const XmlArray& array)
@@ -184,7 +176,7 @@ std::string unpacked(const XmlArray& array, int file, const text::XmlFile& given
 		throw damaged(fmt::format("{} cannot be unpacked", array.words));
 	}
 	if (packing.is_big_endian)
-		swapEach(bytes, bytesOfValue(array));
+		parts::swapNumbers(std::as_writable_bytes(std::span(bytes)), bytesOfValue(array));
 	return bytes;
 }
 
@@ -384,7 +376,7 @@ bool checkArrays(const std::string& path, const text::XmlFile& given, const std:
 			std::string last(reinterpret_cast<const char*>(part.data()), part.size());
 			last.erase(0, last.size() - std::min(last.size(), bytesOfValue(array)));
 			if (packing->is_big_endian)
-				swapEach(last, bytesOfValue(array));
+				parts::swapNumbers(std::as_writable_bytes(std::span(last)), bytesOfValue(array));
 			found[i]->last = lastWhole(*array.type, last);
 		}
 		catch (const arrays::NotQuick&)

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstring>
 #include <optional>
 
 namespace vp::reader::text
@@ -105,14 +104,12 @@ std::size_t Cursor::checkedCount(std::int64_t number, std::size_t least_bytes) c
 	return static_cast<std::size_t>(number);
 }
 
-void Cursor::take(void* number, std::size_t bytes)
+const char* Cursor::take(std::size_t bytes)
 {
 	if (text_.size() - at_ < bytes)
 		endsEarly();
-	std::memcpy(number, text_.data() + at_, bytes);
 	at_ += bytes;
-	if (swaps_)
-		std::reverse(static_cast<char*>(number), static_cast<char*>(number) + bytes);
+	return text_.data() + at_ - bytes;
 }
 
 void Cursor::skipPast(std::string_view wanted)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "vprobe-read/base/bytes.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -26,7 +28,7 @@ public:
 
 	template <class Number>
 	Number binary();
-	void setSwaps(bool swaps) { swaps_ = swaps; }
+	void setOrder(ByteOrder order) { order_ = order; }
 
 	std::size_t place() const { return at_; }
 	void moveTo(std::size_t place) { at_ = place; }
@@ -37,19 +39,17 @@ public:
 
 private:
 	void skipSpace();
-	void take(void* number, std::size_t bytes);
+	const char* take(std::size_t bytes);
 
 	std::string_view text_;
 	std::size_t at_ = 0;
-	bool swaps_ = false;
+	ByteOrder order_ = ByteOrder::little;
 };
 
 template <class Number>
 Number Cursor::binary()
 {
-	Number number;
-	take(&number, sizeof number);
-	return number;
+	return numberAt<Number>(take(sizeof(Number)), order_);
 }
 
 } // namespace vp::reader::text

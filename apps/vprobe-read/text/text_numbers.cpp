@@ -1,6 +1,7 @@
 #include "text_numbers.h"
 
 #include "base/real_text.h"
+#include "parts/part_bytes.h"
 #include "vprobe-read/base/refusal.h"
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -114,11 +116,10 @@ private:
 	{
 		if (target_.to && !values_.empty())
 		{
-			auto* bytes = reinterpret_cast<char*>(values_.data());
+			const auto bytes = std::as_writable_bytes(std::span(values_));
 			if (target_.order == ByteOrder::big)
-				for (std::size_t i = 0; i < values_.size(); ++i)
-					std::reverse(bytes + i * sizeof(T), bytes + (i + 1) * sizeof(T));
-			target_.to->append({bytes, values_.size() * sizeof(T)});
+				parts::swapNumbers(bytes, sizeof(T));
+			target_.to->append({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 		}
 		values_.clear();
 	}

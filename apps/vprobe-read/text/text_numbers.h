@@ -1,6 +1,7 @@
 #pragma once
 
 #include "grid/field.h"
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/memory_file.h"
 
 #include <cstdint>
@@ -18,12 +19,6 @@ struct Numbers
 	std::int64_t last = 0;    // of whole numbers; 0 if there are none
 	bool is_strange = false;  // whether a number is written in a way that VTK's readers do not know: nan, 1D2, 1.0-100
 	std::uint64_t behind = 0; // the place behind the numbers
-};
-
-enum class ByteOrder
-{
-	little,
-	big
 };
 
 // Says where a text ends, and where its numbers go.

@@ -85,7 +85,7 @@ bool FluentSections::next(FluentSection& section)
 	const std::size_t close = endOfList(at + 1);
 	section.head = text_.substr(at + 1, close - at - 1);
 	if (section.kind() == 4 && !section.is_binary)
-		swaps_ = !section.head.starts_with(kFluentLittleEndian);
+		order_ = byteOrder(!section.head.starts_with(kFluentLittleEndian));
 	at = close + 1;
 	while (at < text_.size() && isFluentBlank(text_[at]))
 		++at;
@@ -102,7 +102,7 @@ text::Cursor FluentSections::bodyOf(const FluentSection& section) const
 {
 	text::Cursor body(text_.substr(0, section.end));
 	body.moveTo(section.body);
-	body.setSwaps(swaps_);
+	body.setOrder(order_);
 	return body;
 }
 

@@ -48,7 +48,7 @@ private:
 
 	std::string_view text_;
 	text::Cursor at_;
-	bool swaps_ = false;
+	ByteOrder order_ = ByteOrder::little;
 };
 
 // A whole number in hexadecimal.

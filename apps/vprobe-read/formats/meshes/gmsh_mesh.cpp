@@ -90,7 +90,7 @@ private:
 		if (binary_)
 		{
 			const auto one = at_.binary<std::int32_t>();
-			at_.setSwaps(one == 0x01000000);
+			at_.setOrder(byteOrder(one == 0x01000000));
 			if (one != 1 && one != 0x01000000)
 				throw damaged("its byte order cannot be told");
 		}

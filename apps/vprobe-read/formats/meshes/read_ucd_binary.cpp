@@ -42,9 +42,9 @@ struct UcdCounts
 	}
 };
 
-UcdCounts readUcdCounts(text::Cursor& at, bool swaps)
+UcdCounts readUcdCounts(text::Cursor& at, ByteOrder order)
 {
-	at.setSwaps(swaps);
+	at.setOrder(order);
 	at.moveTo(1); // behind the 7 that says binary
 	UcdCounts counts;
 	for (std::uint32_t* count : {&counts.nodes, &counts.cells, &counts.node_values, &counts.cell_values,
@@ -164,9 +164,9 @@ void readUcdBinary(const Request& request, manifest::Writer& manifest)
 	const MappedText file(request.file);
 	text::Cursor at(file.text());
 	// The size tells the order of bytes, and that all is there.
-	UcdCounts counts = readUcdCounts(at, true);
+	UcdCounts counts = readUcdCounts(at, ByteOrder::big);
 	if (counts.bytes() != file.text().size())
-		counts = readUcdCounts(at, false);
+		counts = readUcdCounts(at, ByteOrder::little);
 	if (counts.bytes() != file.text().size())
 		throw damaged(fmt::format("{} bytes where its header asks for {}", file.text().size(), counts.bytes()));
 	vtkNew<vtkUnstructuredGrid> grid;

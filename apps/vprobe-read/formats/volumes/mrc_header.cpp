@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numbers>
 
 namespace vp::reader::volumes
@@ -34,13 +33,7 @@ enum ImodFlag
 template <class Number>
 Number MrcHeader::number(std::size_t word) const
 {
-	std::array<char, 4> bytes;
-	std::memcpy(bytes.data(), file_.data() + 4 * word, 4);
-	if (swapped_)
-		std::reverse(bytes.begin(), bytes.end());
-	Number value;
-	std::memcpy(&value, bytes.data(), 4);
-	return value;
+	return numberAt<Number>(file_.data() + 4 * word, order_);
 }
 
 bool MrcHeader::hasOrderOfAxes() const
@@ -57,7 +50,7 @@ void MrcHeader::chooseOrder()
 {
 	if (hasOrderOfAxes())
 		return;
-	swapped_ = true;
+	order_ = ByteOrder::big;
 	if (!hasOrderOfAxes())
 		throw damaged("its axes have no order");
 }
@@ -126,7 +119,7 @@ MrcHeader::MrcHeader(std::string_view file) : file_(file)
 	}
 	setType();
 	splitVolumes();
-	layout_.is_big_endian = swapped_;
+	layout_.is_big_endian = order_ == ByteOrder::big;
 	const int extended = integer(23);
 	if (extended < 0 || static_cast<std::size_t>(extended) > file.size() - kMrcHeaderBytes)
 		throw damaged("its extended header runs past its end");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "vprobe-read/arrays/value_image.h"
+#include "vprobe-read/base/bytes.h"
 
 #include <array>
 #include <cstdint>
@@ -45,7 +46,7 @@ private:
 	std::array<std::array<double, 3>, 3> cellAxes() const;
 
 	std::string_view file_;
-	bool swapped_ = false;
+	ByteOrder order_ = ByteOrder::little;
 	int mode_ = 0;
 	bool by_imod_ = false;
 	arrays::ValueLayout layout_;

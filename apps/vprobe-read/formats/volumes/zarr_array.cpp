@@ -1,5 +1,7 @@
 #include "zarr_array.h"
 
+#include "parts/part_bytes.h"
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/bytes_read.h"
 #include "vprobe-read/base/half_float.h"
 #include "vprobe-read/base/mapped_text.h"
@@ -14,6 +16,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <span>
 
 namespace vp::reader::volumes
 {
@@ -348,9 +351,8 @@ void ZarrArray::read(const Sides& starts, const Sides& counts, std::byte* given)
 		values *= count;
 	std::vector<std::byte> halves(isHalf() ? 2 * values : 0);
 	std::byte* to = isHalf() ? halves.data() : given;
-	std::vector<std::byte> filling = fill_.value_or(std::vector<std::byte>(type_.width, std::byte(0xFF))); // NaN
-	for (std::size_t i = 0; i < values; ++i)
-		std::memcpy(to + i * type_.width, filling.data(), type_.width);
+	const std::vector<std::byte> filling = fill_.value_or(std::vector<std::byte>(type_.width, std::byte(0xFF))); // NaN
+	parts::fillItems({to, values * type_.width}, filling);
 	std::size_t written = 0;
 	if (values > 0)
 		for (const Chunk& chunk : chunksIn(starts, counts))
@@ -358,14 +360,10 @@ void ZarrArray::read(const Sides& starts, const Sides& counts, std::byte* given)
 	if (written < values && !fill_ && type_.kind != 'f')
 		throw damaged(fmt::format("chunks of {} are missing, and it has no fill_value", name_));
 	if (type_.is_big_endian)
-		for (std::size_t i = 0; i < values; ++i)
-			std::reverse(to + i * type_.width, to + (i + 1) * type_.width);
+		parts::swapNumbers({to, values * type_.width}, type_.width);
 	for (std::size_t i = 0; isHalf() && i < values; ++i)
 	{
-		std::uint16_t half = 0;
-		std::memcpy(&half, halves.data() + 2 * i, 2);
-		const float number = fromHalf(half);
-		std::memcpy(given + 4 * i, &number, 4);
+		putNumber(fromHalf(numberAt<std::uint16_t>(halves.data() + 2 * i)), given + 4 * i);
 	}
 }
 

@@ -1,6 +1,7 @@
 // VTKHDF 1 and 2 through HDF5: VTK 9.1 reads version 1.0, and takes several times of version 2 for parts.
 #include "read/cell_types.h"
 #include "shared_faces.h"
+#include "vprobe-read/arrays/value_image.h"
 #include "vprobe-read/base/is_one_of.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/cells/structured_blocks.h"
@@ -38,21 +39,6 @@ namespace
 
 const std::string kVtkHdf = "/VTKHDF";
 constexpr std::uint64_t kMaxComponentsOfVtkHdf = 1 << 16;
-
-int vtkTypeOfNumber(NumberType type)
-{
-	constexpr std::array<std::pair<NumberType, int>, 10> types = {{{NumberType::int8, VTK_SIGNED_CHAR},
-	                                                               {NumberType::uint8, VTK_UNSIGNED_CHAR},
-	                                                               {NumberType::int16, VTK_SHORT},
-	                                                               {NumberType::uint16, VTK_UNSIGNED_SHORT},
-	                                                               {NumberType::int32, VTK_INT},
-	                                                               {NumberType::uint32, VTK_UNSIGNED_INT},
-	                                                               {NumberType::int64, VTK_LONG_LONG},
-	                                                               {NumberType::uint64, VTK_UNSIGNED_LONG_LONG},
-	                                                               {NumberType::float32, VTK_FLOAT},
-	                                                               {NumberType::float64, VTK_DOUBLE}}};
-	return std::ranges::find(types, type, [](const auto& each) { return each.first; })->second;
-}
 
 class VtkHdfReader
 {
@@ -194,7 +180,7 @@ private:
 		for (std::size_t i = 0; i < count.size(); ++i)
 			if (i >= sides.size() || count[i] > sides[i] || __builtin_mul_overflow(values, count[i], &values))
 				throw damaged(fmt::format("{} has fewer values than are asked of it", path));
-		const auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(vtkTypeOfNumber(type)));
+		const auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(arrays::vtkTypeOf(type)));
 		array->SetNumberOfComponents(static_cast<int>(components));
 		array->SetNumberOfTuples(static_cast<vtkIdType>(values / components));
 		file_.readSlab(path, begin, count, type, array->GetVoidPointer(0));

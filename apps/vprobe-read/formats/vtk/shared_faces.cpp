@@ -2,6 +2,7 @@
 
 #include "base/ids.h"
 #include "read/cell_types.h"
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/is_one_of.h"
 #include "vprobe-read/base/mapped_text.h"
 #include "vprobe-read/base/refusal.h"
@@ -17,7 +18,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -166,11 +166,7 @@ private:
 		{
 			const auto part = packed->part(begin / packed->partBytes(), bytes - begin, scratch);
 			for (std::size_t at = 0; at + sizeof(T) <= part.size(); at += sizeof(T))
-			{
-				T number;
-				std::memcpy(&number, part.data() + at, sizeof number);
-				numbers.push_back(number);
-			}
+				numbers.push_back(numberAt<T>(part.data() + at));
 		}
 		if (numbers.size() != count)
 			throw arrays::NotQuick();

@@ -1,4 +1,5 @@
 #include "cgns_steps.h"
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/mapped_text.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/base/stand_in.h"
@@ -48,14 +49,6 @@ std::optional<std::uint64_t> hexadecimal(std::string_view digits)
 	return value;
 }
 
-std::uint64_t wholeOf(std::string_view bytes, bool is_big_endian)
-{
-	std::uint64_t value = 0;
-	for (std::size_t b = 0; b < bytes.size(); ++b)
-		value = value << 8 | static_cast<unsigned char>(bytes[is_big_endian ? b : bytes.size() - 1 - b]);
-	return value;
-}
-
 void refuseShortAdf(const std::string& file)
 {
 	std::array<char, kAdfEndAt + 12> head = {};
@@ -68,9 +61,9 @@ void refuseShortAdf(const std::string& file)
 	auto offset = hexadecimal(text.substr(kAdfEndAt + 8, 4));
 	if (text[kAdfVersionAt] != 'A')
 	{
-		const bool is_big_endian = text[kAdfOrderAt] == 'B';
-		block = wholeOf(text.substr(kAdfEndAt, 8), is_big_endian);
-		offset = wholeOf(text.substr(kAdfEndAt + 8, 4), is_big_endian);
+		const ByteOrder order = byteOrder(text[kAdfOrderAt] == 'B');
+		block = numberAt<std::uint64_t>(head.data() + kAdfEndAt, order);
+		offset = numberAt<std::uint32_t>(head.data() + kAdfEndAt + 8, order);
 	}
 	if (!in || !block || !offset || *block > std::uint64_t(1) << 50)
 		throw damaged("its header cannot be followed");
