@@ -28,6 +28,9 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+namespace vp::reader
+{
+
 namespace fs = std::filesystem;
 
 namespace
@@ -52,12 +55,12 @@ std::string withPiece(const std::string& input, std::string reason)
 [[noreturn]] void giveUp(std::string reason, int code)
 {
 	// A file that may not be opened is no sign of damage, whatever its library says.
-	if (const std::vector<std::string> refused = refusedFiles(); !refused.empty() && code == vp::read::kRefusedExitCode)
+	if (const std::vector<std::string> refused = refusedFiles(); !refused.empty() && code == read::kRefusedExitCode)
 		reason = refused.front();
 	for (char& c : reason)
 		if (c == '\n' || c == '\r')
 			c = ' ';
-	std::fprintf(stderr, "\n%s%s\n", vp::read::kReasonMark.data(), reason.c_str());
+	std::fprintf(stderr, "\n%s%s\n", read::kReasonMark.data(), reason.c_str());
 	std::fflush(stderr);
 	_exit(code);
 }
@@ -135,7 +138,7 @@ void sendToParent(std::string_view text)
 	std::size_t sent = 0;
 	while (sent < text.size())
 	{
-		const ssize_t n = write(vp::read::kManifestFd, text.data() + sent, text.size() - sent);
+		const ssize_t n = write(read::kManifestFd, text.data() + sent, text.size() - sent);
 		if (n < 0 && errno != EINTR)
 			_exit(1); // the parent is gone
 		if (n > 0)
@@ -143,13 +146,10 @@ void sendToParent(std::string_view text)
 	}
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+int run(int argc, char** argv)
 {
 	const auto is_open = [](int fd) { return fcntl(fd, F_GETFD) >= 0; };
-	if (argc < kArgumentCount || !is_open(vp::read::kArraysFd) || !is_open(vp::read::kManifestFd) ||
-	    !is_open(vp::read::kCellsFd))
+	if (argc < kArgumentCount || !is_open(read::kArraysFd) || !is_open(read::kManifestFd) || !is_open(read::kCellsFd))
 	{
 		std::fprintf(stderr, "vprobe-read is started by vprobe to read files; run vprobe info FILE instead\n");
 		return 1;
@@ -162,68 +162,77 @@ int main(int argc, char** argv)
 		request.stays_above = ~std::uint64_t(0);
 	if (!request.displace.empty())
 		request.arrays = {}; // any of them may say how points move
-	const Hold hold = request.sandbox == "off" ? Hold{} : closeDoor(openingFor(request));
+	const door::Hold hold = request.sandbox == "off" ? door::Hold{} : door::closeDoor(door::openingFor(request));
 	if (request.sandbox == "require" && (hold.landlock == 0 || !hold.seccomp))
 		giveUp(
 		    fmt::format("the system has no full sandbox for its reader ({}); take Linux 5.13 or newer with Landlock, "
 		                "or set the sandbox to auto",
-		                holdText(hold)),
-		    vp::read::kNoSandboxExitCode);
+		                door::holdText(hold)),
+		    read::kNoSandboxExitCode);
 	try
 	{
-		installComplaints();
+		checks::installComplaints();
 		tellFiles(request.file);
 		if (!request.unpack.empty())
 		{
-			needHdf5(request);
-			unpackParts(request, sendToParent);
+			formats::needHdf5(request);
+			volumes::unpackParts(request, sendToParent);
 			_exit(0);
 		}
-		ManifestWriter manifest(request.refine, wished, !request.convert_to.empty(), PartFilter(request.parts));
+		manifest::Writer manifest(request.refine, wished, !request.convert_to.empty(), PartFilter(request.parts));
 		manifest.setDisplacement({request.displace, request.patches});
 		if (request.convert_to.ends_with(".vtkhdf"))
-			needHdf5(request);
-		readAnyFormat(request, manifest);
+			formats::needHdf5(request);
+		formats::readAnyFormat(request, manifest);
 		manifest.refuseOtherLevel(request.level);
-		manifest.setSandbox(holdText(hold));
+		manifest.setSandbox(door::holdText(hold));
 		for (std::string& refused : refusedFiles())
 			manifest.warn(std::move(refused));
 		const std::string text = manifest.finish();
 		if (!request.convert_to.empty())
-			writeConverted(manifest.kept(), request);
+			convert::writeConverted(manifest.kept(), request);
 		sendToParent(text);
 	}
 	catch (const Refusal& refusal)
 	{
-		giveUp(withPiece(request.file, refusal.what()), vp::read::kRefusedExitCode);
+		giveUp(withPiece(request.file, refusal.what()), read::kRefusedExitCode);
 	}
 	catch (const NoRoom& full)
 	{
-		giveUp(full.what(), vp::read::kNoRoomExitCode);
+		giveUp(full.what(), read::kNoRoomExitCode);
 	}
 	catch (const NoSharedMemory& full)
 	{
-		giveUp(full.what(), vp::read::kNoMemoryExitCode);
+		giveUp(full.what(), read::kNoMemoryExitCode);
 	}
 	catch (const std::bad_alloc&)
 	{
-		giveUp(withPiece(request.file, "there is not enough memory to read it"), vp::read::kNoMemoryExitCode);
+		giveUp(withPiece(request.file, "there is not enough memory to read it"), read::kNoMemoryExitCode);
 	}
 	catch (const fs::filesystem_error& error)
 	{
 		giveUp(fmt::format("{} cannot be read ({}); check its permissions", error.path1().string(),
 		                   error.code().message()),
-		       vp::read::kRefusedExitCode);
+		       read::kRefusedExitCode);
 	}
 	catch (const std::length_error&)
 	{
 		giveUp(withPiece(request.file, "truncated or damaged: it names a size that no file has"),
-		       vp::read::kRefusedExitCode);
+		       read::kRefusedExitCode);
 	}
 	catch (const std::exception&)
 	{
 		giveUp(withPiece(request.file, "truncated or damaged: its contents do not follow its format"),
-		       vp::read::kRefusedExitCode);
+		       read::kRefusedExitCode);
 	}
 	_exit(0); // VTK's own clearing up takes time and can only crash
+}
+
+} // namespace
+
+} // namespace vp::reader
+
+int main(int argc, char** argv)
+{
+	return vp::reader::run(argc, argv);
 }

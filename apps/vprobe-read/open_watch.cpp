@@ -12,6 +12,9 @@
 #include <fcntl.h>
 #include <sys/types.h>
 
+namespace vp::reader
+{
+
 // The headers' inline forms of these functions would be in the way, so the names are given to the linker here.
 #define VP_EXPORTED extern "C" __attribute__((visibility("default")))
 
@@ -128,3 +131,5 @@ VP_CHECKED_OPEN(watchedCheckedOpen, "__open_2")
 VP_CHECKED_OPEN(watchedCheckedOpen64, "__open64_2")
 VP_OPEN_STREAM(watchedStream, "fopen")
 VP_OPEN_STREAM(watchedStream64, "fopen64")
+
+} // namespace vp::reader

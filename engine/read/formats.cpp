@@ -20,7 +20,7 @@ constexpr bool base = false;
 constexpr bool more = true;
 
 constexpr Format kFormats[] = {
-#define VP_FORMAT(NAME, ENDINGS, WHAT, READ, BY, FILES, SIGN, PROGRAM, FUNCTION)                                       \
+#define VP_FORMAT(NAME, ENDINGS, WHAT, READ, BY, FILES, SIGN, PROGRAM, ROOM, FUNCTION)                                 \
 	{NAME, ENDINGS, WHAT, READ, BY, FILES, PROGRAM},
 #include "read/format_table.inl"
 #undef VP_FORMAT

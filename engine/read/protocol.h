@@ -45,7 +45,7 @@ namespace vp::read
 // lattice that stays in the file has no place either, but "stored": {"file", "part": items of a part along i, j, k,
 // "swaps": whether its bytes are in the other order, and either "offset", or "offsets": array of uint64 with the offset
 // for each part, ~0 for one that was never written, and "fill": array of uint8 with an item for those}. If
-// parts are packed it has "filters" (Hdf5Filters::text()), and for each part as array of uint64 "sizes", its bytes in
+// parts are packed it has "filters" (hdf5::Filters::text()), and for each part as array of uint64 "sizes", its bytes in
 // the file, and "left_out_filters", where bit n is set if it was not packed by filter n. Or it has "reader" in
 // place of all these: then the reader finds parts by their numbers. The manifest
 // has "length_units" and "time_units" if the file has them; "sandbox" says what holds the child ("landlock 7,

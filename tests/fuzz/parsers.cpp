@@ -44,6 +44,7 @@ namespace
 {
 
 using namespace vp;
+using namespace vp::reader;
 
 void require(bool holds)
 {
@@ -162,25 +163,25 @@ void feedEnSight(const TemporaryFolder& folder, char which, const std::string& i
 	                                    : "one\ntwo\nnode id off\nelement id off\npart\n1\nbox\ncoordinates\n1\n"
 	                                      "0\n0\n0\npoint\n1\n1\n");
 	writeContents(folder / "a.f", which == 'V' ? input : "f\npart\n1\ncoordinates\n1.5\n");
-	const EnSightCase about = readEnSightCase(folder / "a.case");
-	const EnSightFile geometry_file(folder / "a.geo");
+	const meshes::EnSightCase about = meshes::readEnSightCase(folder / "a.case");
+	const meshes::EnSightFile geometry_file(folder / "a.geo");
 	bool is_step = false;
-	const EnSightGeometry geometry =
-	    readEnSightGeometry(geometry_file, geometry_file.step(0, is_step), which == 'G' || about.is_gold, false);
+	const meshes::EnSightGeometry geometry = meshes::readEnSightGeometry(geometry_file, geometry_file.step(0, is_step),
+	                                                                     which == 'G' || about.is_gold, false);
 	for (const auto& [number, part] : geometry.parts)
-		for (const EnSightElements& elements : part.elements)
+		for (const meshes::EnSightElements& elements : part.elements)
 			for (const std::int64_t node : elements.nodes)
 				require(node >= 0 && node < part.points());
-	const EnSightFile values_file(folder / "a.f", geometry_file.form());
-	for (const EnSightCase::Variable& variable : about.variables)
+	const meshes::EnSightFile values_file(folder / "a.f", geometry_file.form());
+	for (const meshes::EnSightCase::Variable& variable : about.variables)
 	{
-		if (const EnSightCase::TimeSet* set = timeSetOf(about, variable.files))
+		if (const meshes::EnSightCase::TimeSet* set = meshes::timeSetOf(about, variable.files))
 		{
 			bool is_before = false;
-			placeOf(about, variable.files, 0, stepAt(*set, {0.5, 0}, is_before));
+			meshes::placeOf(about, variable.files, 0, meshes::stepAt(*set, {0.5, 0}, is_before));
 		}
-		for (const auto& [number, values] : readEnSightValues(values_file, values_file.step(0, is_step), geometry,
-		                                                      variable.per_node, variable.components))
+		for (const auto& [number, values] : meshes::readEnSightValues(values_file, values_file.step(0, is_step),
+		                                                              geometry, variable.per_node, variable.components))
 			require(values.size() % static_cast<std::size_t>(variable.components) == 0);
 	}
 }
@@ -198,27 +199,28 @@ void feedFoam(std::string_view input)
 		{
 		}
 	};
-	tryIt([&] { foamHead(input); });
-	tryIt([&] { require(foamPoints(input).numbers.size() % 3 == 0); });
-	tryIt([&] { foamLabels(input, 1000); });
-	tryIt([&] { foamPatches(input); });
+	tryIt([&] { codes::foamHead(input); });
+	tryIt([&] { require(codes::foamPoints(input).numbers.size() % 3 == 0); });
+	tryIt([&] { codes::foamLabels(input, 1000); });
+	tryIt([&] { codes::foamPatches(input); });
 	tryIt(
 	    [&]
 	    {
-		    const FoamFaces faces = foamFaces(input);
+		    const codes::FoamFaces faces = codes::foamFaces(input);
 		    require(static_cast<std::size_t>(faces.starts.back()) == faces.corners.size());
 	    });
 	tryIt(
 	    [&]
 	    {
 		    // Every file that it includes is the same one.
-		    const FoamFiles files = {
-		        "a", ".", [&](const std::filesystem::path& path) -> std::optional<FoamSource> {
-			        return path.filename() == "none" ? std::nullopt : std::optional(FoamSource{path, nullptr, input});
+		    const codes::FoamFiles files = {
+		        "a", ".", [&](const std::filesystem::path& path) -> std::optional<codes::FoamSource> {
+			        return path.filename() == "none" ? std::nullopt
+			                                         : std::optional(codes::FoamSource{path, nullptr, input});
 		        }};
-		    const std::unique_ptr<FoamDocument> document = parseFoam(input, files);
-		    const FoamPatch patches[] = {{"a", "wall", {}, 0, 2}, {"inlet", "patch", {"e", "wall"}, 2, 1}};
-		    const FoamField field = foamField(*document, 2, patches);
+		    const std::unique_ptr<codes::FoamDocument> document = codes::parseFoam(input, files);
+		    const codes::FoamPatch patches[] = {{"a", "wall", {}, 0, 2}, {"inlet", "patch", {"e", "wall"}, 2, 1}};
+		    const codes::FoamField field = codes::foamField(*document, 2, patches);
 		    require(field.inside->fits(2) && field.patches.size() == 2);
 		    for (std::size_t p = 0; p < 2; ++p)
 			    if (const auto& values = field.patches[p].values)
@@ -232,7 +234,7 @@ void feedTecplot(std::string_view input)
 		return; // values that are repeated take as much memory as they say
 	try
 	{
-		for (const TecplotZone& zone : parseTecplot(input).zones)
+		for (const meshes::TecplotZone& zone : meshes::parseTecplot(input).zones)
 			if (const auto& faces = zone.faces)
 			{
 				require(static_cast<std::size_t>(faces->starts.back()) == faces->corners.size());
@@ -248,11 +250,11 @@ void feedQuickly(const std::string& file)
 {
 	const read::Descriptor arrays(memfd_create("arrays", MFD_CLOEXEC));
 	const read::Descriptor cells(memfd_create("cells", MFD_CLOEXEC));
-	ArrayWriter array_writer(arrays.get());
-	ArrayWriter cell_writer(cells.get());
+	arrays::Writer array_writer(arrays.get());
+	arrays::Writer cell_writer(cells.get());
 	try
 	{
-		if (!readQuickly(file, {}, 2, array_writer, cell_writer))
+		if (!quick::readQuickly(file, {}, 2, array_writer, cell_writer))
 			require(array_writer.mark() == 0 && cell_writer.mark() == 0);
 	}
 	catch (const std::bad_alloc&)
@@ -263,20 +265,20 @@ void feedQuickly(const std::string& file)
 // Text of VTK's XML files becomes bytes.
 void feedXmlArrays(const std::string& file, const std::string& input)
 {
-	const std::optional<XmlFile> given = parseXml(input);
+	const std::optional<text::XmlFile> given = text::parseXml(input);
 	if (!given)
 		return;
-	XmlFile xml = *given;
-	for (XmlElement& data : xml.root.children)
+	text::XmlFile xml = *given;
+	for (text::XmlElement& data : xml.root.children)
 		if (data.name == xml.root.attribute("type"))
 		{
-			giveOwnNames(data);
-			respellAttributes(data);
-			leaveOutStrangeKeys(data);
-			const std::vector<XmlArray> arrays = arraysOfXml(data);
-			checkArrays(file, *given, arrays, input);
+			quick::giveOwnNames(data);
+			quick::respellAttributes(data);
+			quick::leaveOutStrangeKeys(data);
+			const std::vector<quick::XmlArray> arrays = quick::arraysOfXml(data);
+			quick::checkArrays(file, *given, arrays, input);
 			MemoryFile copy;
-			writeAsBytes(file, *given, xml, arrays, input, copy);
+			quick::writeAsBytes(file, *given, xml, arrays, input, copy);
 			return;
 		}
 }
@@ -291,25 +293,25 @@ void feedFile(char which, const std::string& input)
 		switch (which)
 		{
 		case 'N':
-			netcdfSize(file);
+			checks::netcdfSize(file);
 			break;
 		case 'P':
-			if (const Plot3dLayout layout = findPlot3dLayout(file); layout.binary)
-				refuseShortSolution(file, layout);
+			if (const wrapped::Plot3dLayout layout = wrapped::findPlot3dLayout(file); layout.binary)
+				wrapped::refuseShortSolution(file, layout);
 			else
 			{
 				MemoryFile copy;
-				writeGridAsBytes(fortranNumbers(input), layout, copy);
+				wrapped::writeGridAsBytes(wrapped::fortranNumbers(input), layout, copy);
 			}
 			break;
 		case 'L':
-			copyLegacy(input);
+			vtk::copyLegacy(input);
 			break;
 		case 'H':
-			metaBytes(file, readMetaHeader(file), 0);
+			volumes::metaBytes(file, volumes::readMetaHeader(file), 0);
 			break;
 		case 'X':
-			refuseShortXml(file);
+			checks::refuseShortXml(file);
 			feedQuickly(file);
 			feedXmlArrays(file, input);
 			break;

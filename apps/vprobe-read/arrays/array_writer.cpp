@@ -12,7 +12,10 @@
 
 #include <unistd.h>
 
-using vp::grid::NumberType;
+namespace vp::reader::arrays
+{
+
+using grid::NumberType;
 
 namespace
 {
@@ -20,20 +23,20 @@ namespace
 constexpr std::size_t kMaxBytes = std::size_t(1) << 62;
 } // namespace
 
-void ArrayWriter::begin()
+void Writer::begin()
 {
-	constexpr std::size_t alignment = vp::read::kArrayAlignment;
+	constexpr std::size_t alignment = read::kArrayAlignment;
 	position_ = (position_ + alignment - 1) / alignment * alignment;
 	start_ = position_;
 }
 
-void ArrayWriter::append(const void* data, std::size_t bytes)
+void Writer::append(const void* data, std::size_t bytes)
 {
 	put(position_, data, bytes);
 	position_ += bytes;
 }
 
-std::size_t ArrayWriter::reserve(std::size_t bytes)
+std::size_t Writer::reserve(std::size_t bytes)
 {
 	begin();
 	if (bytes > kMaxBytes - position_)
@@ -44,7 +47,7 @@ std::size_t ArrayWriter::reserve(std::size_t bytes)
 
 // The memory is written, not mapped: so no page is cleared first, the process' limits apply, and a lack of memory is an
 // error, not a signal.
-void ArrayWriter::put(std::size_t at, const void* data, std::size_t bytes) const
+void Writer::put(std::size_t at, const void* data, std::size_t bytes) const
 {
 	const char* from = static_cast<const char*>(data);
 	while (bytes > 0)
@@ -60,31 +63,31 @@ void ArrayWriter::put(std::size_t at, const void* data, std::size_t bytes) const
 	}
 }
 
-void ArrayWriter::rewind(std::size_t mark)
+void Writer::rewind(std::size_t mark)
 {
 	if (ftruncate(memory_, static_cast<off_t>(mark)) != 0)
 		throw NoSharedMemory();
 	start_ = position_ = mark;
 }
 
-nlohmann::json ArrayWriter::end(NumberType type)
+nlohmann::json Writer::end(NumberType type)
 {
 	return describe(type, start_, position_ - start_);
 }
 
-nlohmann::json ArrayWriter::describe(NumberType type, std::size_t at, std::size_t bytes)
+nlohmann::json Writer::describe(NumberType type, std::size_t at, std::size_t bytes)
 {
-	return {{"type", vp::grid::numberTypeName(type)}, {"offset", at}, {"bytes", bytes}};
+	return {{"type", grid::numberTypeName(type)}, {"offset", at}, {"bytes", bytes}};
 }
 
-nlohmann::json ArrayWriter::write(NumberType type, const void* data, std::size_t bytes)
+nlohmann::json Writer::write(NumberType type, const void* data, std::size_t bytes)
 {
 	begin();
 	append(data, bytes);
 	return end(type);
 }
 
-nlohmann::json writeInt64(ArrayWriter& writer, std::span<const std::int32_t> values)
+nlohmann::json writeInt64(Writer& writer, std::span<const std::int32_t> values)
 {
 	std::array<std::int64_t, 8192> wide;
 	writer.begin();
@@ -98,17 +101,17 @@ nlohmann::json writeInt64(ArrayWriter& writer, std::span<const std::int32_t> val
 	return writer.end(NumberType::int64);
 }
 
-nlohmann::json writeInt64(ArrayWriter& writer, std::span<const std::int64_t> values)
+nlohmann::json writeInt64(Writer& writer, std::span<const std::int64_t> values)
 {
 	return writer.write(NumberType::int64, values.data(), values.size_bytes());
 }
 
-nlohmann::json writeIds(ArrayWriter& writer, std::span<const std::int32_t> ids)
+nlohmann::json writeIds(Writer& writer, std::span<const std::int32_t> ids)
 {
 	return writer.write(NumberType::int32, ids.data(), ids.size_bytes());
 }
 
-nlohmann::json writeIds(ArrayWriter& writer, std::span<const std::int64_t> ids)
+nlohmann::json writeIds(Writer& writer, std::span<const std::int64_t> ids)
 {
 	std::uint64_t high = 0;
 	for (const std::int64_t id : ids)
@@ -127,3 +130,5 @@ nlohmann::json writeIds(ArrayWriter& writer, std::span<const std::int64_t> ids)
 	}
 	return writer.end(NumberType::int32);
 }
+
+} // namespace vp::reader::arrays

@@ -8,6 +8,9 @@
 #include <blosc.h>
 #include <libdeflate.h>
 
+namespace vp::reader::arrays
+{
+
 namespace
 {
 
@@ -71,3 +74,5 @@ std::uint32_t crc32c(std::span<const std::byte> bytes)
 		sum = table[(sum ^ static_cast<std::uint32_t>(byte)) & 0xFF] ^ sum >> 8;
 	return ~sum;
 }
+
+} // namespace vp::reader::arrays

@@ -4,6 +4,9 @@
 #include <cstdint>
 #include <span>
 
+namespace vp::reader::arrays
+{
+
 // Codecs that chunks of HDF5 and of Zarr have in common, undone. Each returns false unless the packed bytes give
 // exactly as many as `to` has.
 
@@ -15,3 +18,5 @@ bool unshuffle(std::span<const std::byte> packed, std::span<std::byte> to, std::
 
 // Returns the checksum CRC-32C (RFC 3720, appendix B.4).
 std::uint32_t crc32c(std::span<const std::byte> bytes);
+
+} // namespace vp::reader::arrays

@@ -1,12 +1,16 @@
 #include "packed_array.h"
 
 #include "unpack.h"
+#include "vprobe-read/base/bytes.h"
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 
 #include <unistd.h>
+
+namespace vp::reader::arrays
+{
 
 namespace
 {
@@ -71,13 +75,7 @@ std::size_t decodeGroup(const char* letters, std::byte* to)
 
 std::uint64_t wordAt(const std::byte* at, const Packing& packing)
 {
-	std::uint64_t word = 0;
-	for (std::size_t i = 0; i < packing.word_bytes; ++i)
-	{
-		const std::size_t shift = packing.is_big_endian ? packing.word_bytes - 1 - i : i;
-		word |= static_cast<std::uint64_t>(at[i]) << 8 * shift;
-	}
-	return word;
+	return integerAt(at, packing.word_bytes, byteOrder(packing.is_big_endian));
 }
 
 } // namespace
@@ -222,3 +220,5 @@ std::span<const std::byte> PackedArray::part(std::size_t index, std::uint64_t mo
 	}
 	return wanted;
 }
+
+} // namespace vp::reader::arrays

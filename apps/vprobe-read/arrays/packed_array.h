@@ -7,6 +7,9 @@
 #include <string_view>
 #include <vector>
 
+namespace vp::reader::arrays
+{
+
 // Thrown if the quick reader does not support a file. VTK then reads it, or says what is wrong with it.
 struct NotQuick
 {
@@ -96,3 +99,5 @@ private:
 	std::size_t last_block_bytes_ = 0;
 	std::vector<std::uint64_t> block_starts_; // compressed; one more than blocks
 };
+
+} // namespace vp::reader::arrays

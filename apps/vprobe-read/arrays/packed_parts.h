@@ -6,6 +6,9 @@
 #include <span>
 #include <string>
 
+namespace vp::reader::arrays
+{
+
 // A part of an array that stays in its file.
 struct PackedPart
 {
@@ -20,3 +23,5 @@ using UnpackPart = std::function<void(const PackedPart& part, std::span<std::byt
 // how: the filters or the reader of a StoredPlace. file: where the parts lie, or the folder of the reader's array. Only
 // vprobe-read-more has this (formats/volumes/packed_parts.cpp), since some parts are unpacked by their format's reader.
 UnpackPart unpackerOf(const std::string& file, const std::string& how);
+
+} // namespace vp::reader::arrays

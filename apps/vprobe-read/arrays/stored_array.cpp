@@ -6,6 +6,9 @@
 
 #include <deque>
 
+namespace vp::reader::arrays
+{
+
 namespace
 {
 
@@ -55,3 +58,5 @@ const StoredPlace* storedPlaceOf(vtkDataArray* array)
 		return nullptr;
 	return &storedPlaces()[static_cast<std::size_t>(array->GetInformation()->Get(placeKey()))];
 }
+
+} // namespace vp::reader::arrays

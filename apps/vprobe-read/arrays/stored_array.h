@@ -10,6 +10,9 @@
 #include <string>
 #include <string_view>
 
+namespace vp::reader::arrays
+{
+
 // Returns the place of the values of a layout in one piece.
 StoredPlace storedRows(const std::string& file, std::uint64_t offset, const ValueLayout& layout);
 
@@ -23,3 +26,5 @@ vtkSmartPointer<vtkDataArray> arrayInFile(const Request& request, const MappedTe
 
 // Returns the place of an array that storedArray() has made, or null.
 const StoredPlace* storedPlaceOf(vtkDataArray* array);
+
+} // namespace vp::reader::arrays

@@ -6,6 +6,9 @@
 
 #include <algorithm>
 
+namespace vp::reader::arrays
+{
+
 using nlohmann::json;
 
 StoredPlace storedRows(const std::string& file, std::uint64_t offset, const std::array<std::uint64_t, 3>& items,
@@ -17,7 +20,7 @@ StoredPlace storedRows(const std::string& file, std::uint64_t offset, const std:
 	return {.file = file, .part = {items[0], rows, 1}, .offset = offset, .swaps = swaps};
 }
 
-json describeStored(const StoredPlace& place, ArrayWriter& writer)
+json describeStored(const StoredPlace& place, Writer& writer)
 {
 	json described = {{"file", place.file}, {"part", place.part}, {"swaps", place.swaps}};
 	if (!place.reader.empty())
@@ -29,7 +32,7 @@ json describeStored(const StoredPlace& place, ArrayWriter& writer)
 	if (place.offsets.empty())
 		return described;
 	const auto writeList = [&](const std::vector<std::uint64_t>& list)
-	{ return writer.write(vp::grid::NumberType::uint64, list.data(), list.size() * sizeof(list[0])); };
+	{ return writer.write(grid::NumberType::uint64, list.data(), list.size() * sizeof(list[0])); };
 	described["offsets"] = writeList(place.offsets);
 	if (!place.filters.empty())
 	{
@@ -37,6 +40,8 @@ json describeStored(const StoredPlace& place, ArrayWriter& writer)
 		described["sizes"] = writeList(place.sizes);
 		described["left_out_filters"] = writeList(place.left_out);
 	}
-	described["fill"] = writer.write(vp::grid::NumberType::uint8, place.fill.data(), place.fill.size());
+	described["fill"] = writer.write(grid::NumberType::uint8, place.fill.data(), place.fill.size());
 	return described;
 }
+
+} // namespace vp::reader::arrays

@@ -7,7 +7,10 @@
 #include <string>
 #include <vector>
 
-class ArrayWriter;
+namespace vp::reader::arrays
+{
+
+class Writer;
 
 // Says where the values of an array lie in a file, in parts (engine/parts/layout.h).
 struct StoredPlace
@@ -17,8 +20,8 @@ struct StoredPlace
 	std::uint64_t offset = 0;                   // if the values are in one piece, and a part is some rows of it
 	std::vector<std::uint64_t> offsets{};       // else of each part, ~0 for one that was never written
 	std::vector<std::uint64_t> sizes{};         // bytes of each part in the file, if they are packed
-	std::vector<std::uint64_t> left_out{};      // likewise the filters by which it was not packed (Hdf5Chunk)
-	std::string filters{};                      // likewise the filters (Hdf5Filters)
+	std::vector<std::uint64_t> left_out{};      // likewise the filters by which it was not packed (hdf5::Chunk)
+	std::string filters{};                      // likewise the filters (hdf5::Filters)
 	std::string reader{};                       // how the reader finds parts by their numbers, if nobody else can
 	std::string fill{};                         // the bytes of an item that stands for those of such a part
 	bool swaps = false;                         // whether the bytes of a number are in the other order
@@ -29,4 +32,6 @@ StoredPlace storedRows(const std::string& file, std::uint64_t offset, const std:
                        std::uint64_t item_bytes, bool swaps);
 
 // Describes such a place for the manifest.
-nlohmann::json describeStored(const StoredPlace& place, ArrayWriter& writer);
+nlohmann::json describeStored(const StoredPlace& place, Writer& writer);
+
+} // namespace vp::reader::arrays

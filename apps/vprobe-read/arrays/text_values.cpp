@@ -13,7 +13,10 @@
 #include <optional>
 #include <type_traits>
 
-using vp::grid::NumberType;
+namespace vp::reader::arrays
+{
+
+using grid::NumberType;
 
 namespace
 {
@@ -50,7 +53,7 @@ Number numberOf(std::string_view word)
 		if (error == std::errc() && end == digits.data() + digits.size())
 			return whole;
 	}
-	const std::optional<double> real = vp::parseReal(word);
+	const std::optional<double> real = parseReal(word);
 	if (!real)
 		throw damaged("something else stands in place of a number");
 	if constexpr (std::is_integral_v<Number>)
@@ -115,3 +118,5 @@ vtkSmartPointer<vtkDataArray> arrayOfText(std::string_view text, const ValueLayo
 	return arrayOf(std::string_view(values).substr(step * bytes, bytes),
 	               {layout.points, layout.components, layout.type}, name);
 }
+
+} // namespace vp::reader::arrays

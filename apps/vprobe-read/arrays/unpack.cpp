@@ -7,6 +7,9 @@
 #include <memory>
 #include <new>
 
+namespace vp::reader::arrays
+{
+
 namespace
 {
 
@@ -56,3 +59,5 @@ bool unpack(Codec codec, std::span<const std::byte> packed, std::span<std::byte>
 		return false;
 	}
 }
+
+} // namespace vp::reader::arrays

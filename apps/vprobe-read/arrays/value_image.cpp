@@ -1,5 +1,6 @@
 #include "value_image.h"
 
+#include "parts/part_bytes.h"
 #include "vprobe-read/base/refusal.h"
 
 #include <vtkDataArray.h>
@@ -9,30 +10,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
+#include <span>
 
-using vp::grid::NumberType;
+namespace vp::reader::arrays
+{
+
+using grid::NumberType;
 
 namespace
 {
 
-static_assert(std::endian::native == std::endian::little);
-
 constexpr int kVtkTypes[] = {VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,     VTK_UNSIGNED_SHORT,
                              VTK_INT,         VTK_UNSIGNED_INT,  VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG,
                              VTK_FLOAT,       VTK_DOUBLE};
+
+} // namespace
+
 int vtkTypeOf(NumberType type)
 {
 	return kVtkTypes[static_cast<std::size_t>(type)];
 }
-
-void swapBytes(char* at, std::uint64_t values, std::size_t width)
-{
-	for (std::uint64_t i = 0; i < values; ++i, at += width)
-		std::reverse(at, at + width);
-}
-
-} // namespace
 
 std::optional<NumberType> numberTypeOfVtk(int type)
 {
@@ -72,7 +69,7 @@ vtkSmartPointer<vtkDataArray> arrayOf(std::string_view bytes, const ValueLayout&
 	char* at = static_cast<char*>(array->GetVoidPointer(0));
 	bytes.copy(at, bytes.size()); // there may be none, and no place for them
 	if (layout.is_big_endian && byteSize(layout.type) > 1)
-		swapBytes(at, layout.valueCount(), byteSize(layout.type));
+		parts::swapNumbers(std::as_writable_bytes(std::span(at, bytes.size())), byteSize(layout.type));
 	return array;
 }
 
@@ -83,3 +80,5 @@ vtkSmartPointer<vtkImageData> imageOf(vtkDataArray* array, const std::array<std:
 	image->GetPointData()->SetScalars(array);
 	return image;
 }
+
+} // namespace vp::reader::arrays

@@ -13,12 +13,15 @@
 class vtkDataArray;
 class vtkImageData;
 
+namespace vp::reader::arrays
+{
+
 // Describes how plain values lie in bytes: components run fastest, then x, y, z.
 struct ValueLayout
 {
 	std::array<std::uint32_t, 3> points{0, 0, 0};
 	std::uint32_t components = 1;
-	vp::grid::NumberType type = vp::grid::NumberType::uint8;
+	grid::NumberType type = grid::NumberType::uint8;
 	bool is_big_endian = false;
 
 	std::uint64_t valueCount() const;
@@ -27,7 +30,8 @@ struct ValueLayout
 };
 
 // Returns the type of numbers that VTK calls so, or nothing for other types.
-std::optional<vp::grid::NumberType> numberTypeOfVtk(int type);
+std::optional<grid::NumberType> numberTypeOfVtk(int type);
+int vtkTypeOf(grid::NumberType type);
 
 // Says whether an array gets room for its values.
 enum class Room
@@ -42,3 +46,5 @@ vtkSmartPointer<vtkDataArray> arrayOf(std::string_view bytes, const ValueLayout&
 
 // An image with the array as its values, of distance 1 from the origin.
 vtkSmartPointer<vtkImageData> imageOf(vtkDataArray* array, const std::array<std::uint32_t, 3>& points);
+
+} // namespace vp::reader::arrays

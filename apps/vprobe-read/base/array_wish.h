@@ -4,6 +4,9 @@
 #include <string_view>
 #include <vector>
 
+namespace vp::reader
+{
+
 // Says which arrays the parent asks for.
 struct ArrayWish
 {
@@ -28,3 +31,5 @@ struct ArrayWish
 		return false;
 	}
 };
+
+} // namespace vp::reader

@@ -10,6 +10,9 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+namespace vp::reader
+{
+
 namespace
 {
 
@@ -19,7 +22,7 @@ std::atomic<std::uint64_t> mapped = 0;
 std::uint64_t readSoFar()
 {
 	std::array<char, 256> text;
-	const ssize_t size = pread(vp::read::kCountsFd, text.data(), text.size() - 1, 0);
+	const ssize_t size = pread(read::kCountsFd, text.data(), text.size() - 1, 0);
 	constexpr std::string_view key = "rchar: ";
 	const std::string_view counts(text.data(), size > 0 ? static_cast<std::size_t>(size) : 0);
 	const std::size_t at = counts.find(key);
@@ -45,11 +48,13 @@ void countMapped(std::uint64_t bytes)
 void startCounting()
 {
 	// vprobe-read-more finds it open.
-	if (fcntl(vp::read::kCountsFd, F_GETFD) < 0)
-		if (const int counts = open("/proc/self/io", O_RDONLY); counts >= 0 && counts != vp::read::kCountsFd)
+	if (fcntl(read::kCountsFd, F_GETFD) < 0)
+		if (const int counts = open("/proc/self/io", O_RDONLY); counts >= 0 && counts != read::kCountsFd)
 		{
-			dup2(counts, vp::read::kCountsFd);
+			dup2(counts, read::kCountsFd);
 			close(counts);
 		}
 	before = readSoFar();
 }
+
+} // namespace vp::reader

@@ -3,6 +3,9 @@
 #include <cmath>
 #include <cstdint>
 
+namespace vp::reader
+{
+
 // Returns the number that 16 bits write in IEEE's half precision.
 inline float fromHalf(std::uint16_t bits)
 {
@@ -13,3 +16,5 @@ inline float fromHalf(std::uint16_t bits)
 	                                    : std::ldexp(static_cast<float>(fraction + 0x400), exponent - 25);
 	return bits >> 15 ? -size : size;
 }
+
+} // namespace vp::reader

@@ -15,6 +15,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+namespace vp::reader
+{
+
 // Maps a whole file to read it.
 class MappedText
 {
@@ -54,3 +57,5 @@ private:
 	void* at_ = nullptr;
 	std::size_t size_ = 0;
 };
+
+} // namespace vp::reader

@@ -9,6 +9,9 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+namespace vp::reader
+{
+
 namespace
 {
 
@@ -74,3 +77,5 @@ void MemoryFile::end() const
 	if (ftruncate(file_, static_cast<off_t>(size_)) != 0)
 		throw std::bad_alloc();
 }
+
+} // namespace vp::reader

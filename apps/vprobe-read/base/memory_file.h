@@ -5,6 +5,9 @@
 #include <string>
 #include <string_view>
 
+namespace vp::reader
+{
+
 // A file in memory, which readers open by its path.
 class MemoryFile
 {
@@ -28,3 +31,5 @@ private:
 	int file_ = -1;
 	std::uint64_t size_ = 0;
 };
+
+} // namespace vp::reader

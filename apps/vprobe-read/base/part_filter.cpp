@@ -4,6 +4,9 @@
 #include <charconv>
 #include <utility>
 
+namespace vp::reader
+{
+
 PartFilter::PartFilter(std::string_view text)
 {
 	if (text.empty())
@@ -68,3 +71,5 @@ void PartFilter::beginBlock(nlohmann::json facts)
 	blocks_.push_back(std::move(facts));
 	in_block_ = true;
 }
+
+} // namespace vp::reader

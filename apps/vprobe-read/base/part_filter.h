@@ -7,6 +7,9 @@
 #include <set>
 #include <string_view>
 
+namespace vp::reader
+{
+
 // Layers of cells of a lattice along its last axis, from `begin` to before `end`.
 struct CellLayers
 {
@@ -82,3 +85,5 @@ public:
 private:
 	PartFilter& filter_;
 };
+
+} // namespace vp::reader

@@ -5,6 +5,9 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+namespace vp::reader
+{
+
 PrintedText::PrintedText()
 {
 	std::fflush(stderr);
@@ -34,3 +37,5 @@ std::string PrintedText::text() const
 	text.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
 	return text;
 }
+
+} // namespace vp::reader

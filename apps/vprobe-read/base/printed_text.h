@@ -2,6 +2,9 @@
 
 #include <string>
 
+namespace vp::reader
+{
+
 // As long as an object of this class exists, it keeps text that is printed to standard error. Libraries report there
 // damage that does not stop them.
 class PrintedText
@@ -19,3 +22,5 @@ private:
 	int file_ = -1;
 	int standard_error_ = -1;
 };
+
+} // namespace vp::reader

@@ -15,6 +15,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+namespace vp::reader
+{
+
 namespace fs = std::filesystem;
 
 namespace
@@ -81,7 +84,7 @@ void noteFile(const char* path)
 	files.last = path;
 	if (files.last == files.input)
 		return;
-	std::string line = std::string(vp::read::kReadingMark) + path;
+	std::string line = std::string(read::kReadingMark) + path;
 	std::replace(line.begin(), line.end(), '\n', ' ');
 	line += '\n';
 	if (write(STDERR_FILENO, line.data(), line.size()) < 0)
@@ -153,3 +156,5 @@ OnlyLooking::~OnlyLooking()
 {
 	--looking;
 }
+
+} // namespace vp::reader

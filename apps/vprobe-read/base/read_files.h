@@ -3,6 +3,9 @@
 #include <string>
 #include <vector>
 
+namespace vp::reader
+{
+
 // These functions know which files this process reads. The programs note each file that they open (open_watch.cpp), so
 // this covers every format's library, and every file that an input names.
 
@@ -35,3 +38,5 @@ public:
 	OnlyLooking(const OnlyLooking&) = delete;
 	OnlyLooking& operator=(const OnlyLooking&) = delete;
 };
+
+} // namespace vp::reader

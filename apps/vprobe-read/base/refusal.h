@@ -4,6 +4,9 @@
 #include <stdexcept>
 #include <string>
 
+namespace vp::reader
+{
+
 // Says why an input cannot be used, in words that follow "FILE: " on the user's line.
 class Refusal : public std::runtime_error
 {
@@ -32,3 +35,5 @@ inline Refusal damaged(const std::string& reason)
 {
 	return Refusal("truncated or damaged: " + reason);
 }
+
+} // namespace vp::reader

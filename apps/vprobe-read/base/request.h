@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+namespace vp::reader
+{
+
 // Holds the parent's request.
 struct Request
 {
@@ -43,3 +46,5 @@ struct Request
 	// Returns true if so many bytes of values may stay in the file.
 	bool leaves(std::uint64_t bytes) const { return bytes > stays_above; }
 };
+
+} // namespace vp::reader

@@ -3,10 +3,14 @@
 #include "zip_file.h"
 
 #include "refusal.h"
+#include "vprobe-read/base/bytes.h"
 
 #include <fmt/format.h>
 
 #include <zlib.h>
+
+namespace vp::reader
+{
 
 namespace
 {
@@ -21,14 +25,11 @@ constexpr std::size_t kFileBytes = 30;
 // Deflate packs up to 1032 bytes into one.
 constexpr std::uint64_t kMaxPacking = 1032;
 
-std::uint64_t numberAt(std::string_view bytes, std::uint64_t at, std::size_t width)
+std::uint64_t numberIn(std::string_view bytes, std::uint64_t at, std::size_t width)
 {
 	if (at > bytes.size() || bytes.size() - at < width)
 		throw damaged("its list of files runs past its end");
-	std::uint64_t value = 0;
-	for (std::size_t i = width; i-- > 0;)
-		value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
-	return value;
+	return integerAt(bytes.data() + at, width);
 }
 
 std::string_view part(std::string_view bytes, std::uint64_t at, std::uint64_t size)
@@ -42,13 +43,13 @@ std::string_view part(std::string_view bytes, std::uint64_t at, std::uint64_t si
 void widen(std::string_view extra, std::initializer_list<std::uint64_t*> numbers)
 {
 	std::uint64_t at = 0;
-	while (at + 4 <= extra.size() && numberAt(extra, at, 2) != 1)
-		at += 4 + numberAt(extra, at + 2, 2);
+	while (at + 4 <= extra.size() && numberIn(extra, at, 2) != 1)
+		at += 4 + numberIn(extra, at + 2, 2);
 	at += 4;
 	for (std::uint64_t* number : numbers)
 		if (*number == 0xFFFFFFFFu)
 		{
-			*number = numberAt(extra, at, 8);
+			*number = numberIn(extra, at, 8);
 			at += 8;
 		}
 }
@@ -60,47 +61,47 @@ std::vector<ZipEntry> zipEntries(std::string_view archive)
 	// A comment of up to 64 KiB may follow the end record.
 	std::size_t end = archive.size() < kEndBytes ? archive.npos : archive.size() - kEndBytes;
 	const std::size_t first = archive.size() > 65536 + kEndBytes ? archive.size() - 65536 - kEndBytes : 0;
-	while (end != archive.npos && numberAt(archive, end, 4) != kEndMark)
+	while (end != archive.npos && numberIn(archive, end, 4) != kEndMark)
 		end = end == first ? archive.npos : end - 1;
 	if (end == archive.npos)
 		throw damaged("its list of files is missing");
-	std::uint64_t count = numberAt(archive, end + 10, 2);
-	std::uint64_t at = numberAt(archive, end + 16, 4);
+	std::uint64_t count = numberIn(archive, end + 10, 2);
+	std::uint64_t at = numberIn(archive, end + 16, 4);
 	if (end >= 20 && (count == 0xFFFF || at == 0xFFFFFFFFu))
 	{
-		const std::uint64_t wide = numberAt(archive, end - 20 + 8, 8);
-		if (numberAt(archive, wide, 4) != kWideEndMark)
+		const std::uint64_t wide = numberIn(archive, end - 20 + 8, 8);
+		if (numberIn(archive, wide, 4) != kWideEndMark)
 			throw damaged("its list of files cannot be followed");
-		count = numberAt(archive, wide + 32, 8);
-		at = numberAt(archive, wide + 48, 8);
+		count = numberIn(archive, wide + 32, 8);
+		at = numberIn(archive, wide + 48, 8);
 	}
 
 	std::vector<ZipEntry> entries;
 	for (; count > 0; --count)
 	{
-		if (numberAt(archive, at, 4) != kEntryMark)
+		if (numberIn(archive, at, 4) != kEntryMark)
 			throw damaged("its list of files cannot be followed");
-		const std::uint64_t method = numberAt(archive, at + 10, 2);
-		std::uint64_t packed = numberAt(archive, at + 20, 4);
-		const std::uint64_t name_bytes = numberAt(archive, at + 28, 2);
-		const std::uint64_t extra_bytes = numberAt(archive, at + 30, 2);
-		std::uint64_t place = numberAt(archive, at + 42, 4);
+		const std::uint64_t method = numberIn(archive, at + 10, 2);
+		std::uint64_t packed = numberIn(archive, at + 20, 4);
+		const std::uint64_t name_bytes = numberIn(archive, at + 28, 2);
+		const std::uint64_t extra_bytes = numberIn(archive, at + 30, 2);
+		std::uint64_t place = numberIn(archive, at + 42, 4);
 		ZipEntry entry;
-		entry.checksum = static_cast<std::uint32_t>(numberAt(archive, at + 16, 4));
-		entry.size = numberAt(archive, at + 24, 4);
+		entry.checksum = static_cast<std::uint32_t>(numberIn(archive, at + 16, 4));
+		entry.size = numberIn(archive, at + 24, 4);
 		entry.deflated = method == Z_DEFLATED;
 		entry.name = part(archive, at + kEntryBytes, name_bytes);
 		widen(part(archive, at + kEntryBytes + name_bytes, extra_bytes), {&entry.size, &packed, &place});
 		if (method != 0 && method != Z_DEFLATED)
 			throw Refusal(fmt::format("an archive packed by method {}; save it with numpy.savez", method));
-		if (numberAt(archive, place, 4) != kFileMark)
+		if (numberIn(archive, place, 4) != kFileMark)
 			throw damaged("its list of files cannot be followed");
-		const std::uint64_t skip = kFileBytes + numberAt(archive, place + 26, 2) + numberAt(archive, place + 28, 2);
+		const std::uint64_t skip = kFileBytes + numberIn(archive, place + 26, 2) + numberIn(archive, place + 28, 2);
 		entry.packed = part(archive, place + skip, packed);
 		if (entry.size > packed * (entry.deflated ? kMaxPacking : 1))
 			throw damaged("it unpacks to more than it can");
 		entries.push_back(std::move(entry));
-		at += kEntryBytes + name_bytes + extra_bytes + numberAt(archive, at + 32, 2);
+		at += kEntryBytes + name_bytes + extra_bytes + numberIn(archive, at + 32, 2);
 	}
 	return entries;
 }
@@ -140,3 +141,5 @@ std::string unpackEntry(const ZipEntry& entry)
 		throw damaged(fmt::format("the checksum of {} is wrong", entry.name));
 	return bytes;
 }
+
+} // namespace vp::reader

@@ -4,6 +4,9 @@
 #include <string_view>
 #include <vector>
 
+namespace vp::reader
+{
+
 // A file in a zip archive, stored or deflated.
 struct ZipEntry
 {
@@ -19,3 +22,5 @@ std::vector<ZipEntry> zipEntries(std::string_view archive);
 
 // Unpacks an entry. Throws a Refusal if its size or checksum is wrong.
 std::string unpackEntry(const ZipEntry& entry);
+
+} // namespace vp::reader

@@ -17,6 +17,9 @@
 #include <sstream>
 #include <string_view>
 
+namespace vp::reader::boxes
+{
+
 namespace
 {
 
@@ -152,3 +155,5 @@ void markCovered(const AmrLevels& levels, std::size_t level, const AmrBox& box, 
 		}
 	}
 }
+
+} // namespace vp::reader::boxes

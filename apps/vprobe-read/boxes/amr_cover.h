@@ -7,6 +7,9 @@
 class vtkImageData;
 class vtkXMLDataElement;
 
+namespace vp::reader::boxes
+{
+
 // A box of an AMR index: cells lo to hi of its level, both included.
 struct AmrBox
 {
@@ -30,3 +33,5 @@ bool hasCellsOf(const AmrBox& box, vtkImageData* image);
 
 // Marks cells of a box as refined if a box of a finer level covers any part of them, as VTK does.
 void markCovered(const AmrLevels& levels, std::size_t level, const AmrBox& box, vtkImageData* image);
+
+} // namespace vp::reader::boxes

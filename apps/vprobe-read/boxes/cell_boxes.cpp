@@ -14,6 +14,9 @@
 #include <algorithm>
 #include <cmath>
 
+namespace vp::reader::boxes
+{
+
 vtkSmartPointer<vtkImageData> imageOfBox(const CellBox& box)
 {
 	constexpr std::size_t most = 1 << 20; // along an axis
@@ -58,15 +61,18 @@ CellArrayChoice::CellArrayChoice(const Request& request, const std::vector<CellA
 			left_out_.push_back(array);
 }
 
-void CellArrayChoice::noteLeftOut(ManifestWriter& manifest) const
+void CellArrayChoice::noteLeftOut(manifest::Writer& manifest) const
 {
 	for (const CellArrayName& array : left_out_)
-		manifest.noteLeftOut(describeLeftOut("cell", array.name, vp::grid::NumberType::float64, array.components));
+		manifest.noteLeftOut(
+		    manifest::describeLeftOut("cell", array.name, grid::NumberType::float64, array.components));
 }
 
-void offerOnlyTime(double time, const Request& request, ManifestWriter& manifest)
+void offerOnlyTime(double time, const Request& request, manifest::Writer& manifest)
 {
-	std::vector<double> times = inOrder({time});
-	chooseIfAny(times, request);
+	std::vector<double> times = manifest::inOrder({time});
+	manifest::chooseIfAny(times, request);
 	manifest.offerTimes(std::move(times));
 }
+
+} // namespace vp::reader::boxes

@@ -10,9 +10,16 @@
 #include <string>
 #include <vector>
 
-class ManifestWriter;
 class vtkDataSet;
 class vtkImageData;
+
+namespace vp::reader::manifest
+{
+class Writer;
+}
+
+namespace vp::reader::boxes
+{
 
 // A box of equal cells, as codes write them that refine by boxes.
 struct CellBox
@@ -44,7 +51,7 @@ public:
 	CellArrayChoice(const Request& request, const std::vector<CellArrayName>& arrays);
 	const std::vector<std::string>& wanted() const { return wanted_; }
 	// Call this before a block is added.
-	void noteLeftOut(ManifestWriter& manifest) const;
+	void noteLeftOut(manifest::Writer& manifest) const;
 
 private:
 	std::vector<std::string> wanted_;
@@ -52,4 +59,6 @@ private:
 };
 
 // Offers the time of a file that holds only one. time: NaN if the file does not say it.
-void offerOnlyTime(double time, const Request& request, ManifestWriter& manifest);
+void offerOnlyTime(double time, const Request& request, manifest::Writer& manifest);
+
+} // namespace vp::reader::boxes

@@ -17,9 +17,11 @@
 #include <span>
 #include <vector>
 
+namespace vp::reader::cells
+{
+
+using grid::NumberType;
 using nlohmann::json;
-using vp::grid::NumberType;
-using namespace vp::read;
 
 namespace
 {
@@ -66,7 +68,7 @@ bool chooseTypes(std::vector<std::uint8_t>& types, const Lists<T>& lists, vtkUns
 	for (std::size_t c = 0; c < types.size(); ++c)
 	{
 		const std::uint8_t type = types[c];
-		const int dimension = cellDimension(type);
+		const int dimension = read::cellDimension(type);
 		if (dimension < 0)
 			throw damaged("cell " + std::to_string(c) + " has the unknown type " + std::to_string(type));
 		if (dimension < 3)
@@ -74,16 +76,16 @@ bool chooseTypes(std::vector<std::uint8_t>& types, const Lists<T>& lists, vtkUns
 			++counts.flat;
 			continue;
 		}
-		const T wanted = static_cast<T>(slicedCellSize(type));
+		const T wanted = static_cast<T>(read::slicedCellSize(type));
 		if (ghosts && (ghosts->GetValue(static_cast<vtkIdType>(c)) & kHiddenCellBits))
 		{
 			++counts.hidden;
-			types[c] = kEmptyCell;
+			types[c] = read::kEmptyCell;
 		}
-		else if (!canBeSliced(type) && !(curved && isCurved(type)))
+		else if (!read::canBeSliced(type) && !(curved && isCurved(type)))
 		{
 			++counts.not_sliced[type];
-			types[c] = kEmptyCell;
+			types[c] = read::kEmptyCell;
 		}
 		else if (lists.size(c) < wanted)
 			throw damaged("cell " + std::to_string(c) + " of type " + std::to_string(type) + " lists " +
@@ -101,7 +103,7 @@ bool chooseTypes(std::vector<std::uint8_t>& types, const Lists<T>& lists, vtkUns
 template <class T>
 bool areAlike(std::span<const std::uint8_t> types, const Lists<T>& lists)
 {
-	const auto size = static_cast<T>(slicedCellSize(types[0]));
+	const auto size = static_cast<T>(read::slicedCellSize(types[0]));
 	if (size == 0 || !std::equal(types.begin() + 1, types.end(), types.begin()))
 		return false;
 	T others = 0;
@@ -113,7 +115,7 @@ bool areAlike(std::span<const std::uint8_t> types, const Lists<T>& lists)
 // Writes offsets and connectivity without the points that a cell lists beyond those of its type. Some writers leave
 // mid-side nodes there.
 template <class T>
-void writeTrimmed(ArrayWriter& writer, std::span<const std::uint8_t> types, const Lists<T>& lists, json& cells)
+void writeTrimmed(arrays::Writer& writer, std::span<const std::uint8_t> types, const Lists<T>& lists, json& cells)
 {
 	std::vector<std::int64_t> offsets = {0};
 	std::vector<std::int64_t> connectivity;
@@ -121,19 +123,19 @@ void writeTrimmed(ArrayWriter& writer, std::span<const std::uint8_t> types, cons
 	connectivity.reserve(lists.connectivity.size());
 	for (std::size_t c = 0; c < types.size(); ++c)
 	{
-		const T wanted = static_cast<T>(slicedCellSize(types[c]));
-		const T size = wanted > 0 ? wanted : types[c] == kEmptyCell ? 0 : lists.size(c);
+		const T wanted = static_cast<T>(read::slicedCellSize(types[c]));
+		const T size = wanted > 0 ? wanted : types[c] == read::kEmptyCell ? 0 : lists.size(c);
 		for (T i = 0; i < size; ++i)
 			connectivity.push_back(lists.connectivity[lists.offsets[c] + i]);
 		offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
 	}
-	cells["offsets"] = writeInt64(writer, std::span<const std::int64_t>(offsets));
-	cells["connectivity"] = writeIds(writer, std::span<const std::int64_t>(connectivity));
+	cells["offsets"] = arrays::writeInt64(writer, std::span<const std::int64_t>(offsets));
+	cells["connectivity"] = arrays::writeIds(writer, std::span<const std::int64_t>(connectivity));
 }
 
 // Writes for each polyhedron the number of faces, then for each face its size and points. VTK keeps them in one array,
 // with a location for each cell.
-void writeFaces(ArrayWriter& writer, std::span<const std::uint8_t> types, vtkUnstructuredGrid* grid, json& cells)
+void writeFaces(arrays::Writer& writer, std::span<const std::uint8_t> types, vtkUnstructuredGrid* grid, json& cells)
 {
 	std::vector<std::int64_t> offsets = {0};
 	std::vector<std::int64_t> stream;
@@ -141,19 +143,19 @@ void writeFaces(ArrayWriter& writer, std::span<const std::uint8_t> types, vtkUns
 	stream.reserve(grid->GetFaces() ? static_cast<std::size_t>(grid->GetFaces()->GetNumberOfValues()) : 0);
 	for (std::size_t c = 0; c < types.size(); ++c)
 	{
-		if (types[c] == kPolyhedron)
+		if (types[c] == read::kPolyhedron)
 		{
 			const auto faces = polyhedronFaces(grid, static_cast<vtkIdType>(c));
 			stream.insert(stream.end(), faces.begin(), faces.end());
 		}
 		offsets.push_back(static_cast<std::int64_t>(stream.size()));
 	}
-	cells["face_offsets"] = writeInt64(writer, std::span<const std::int64_t>(offsets));
-	cells["face_stream"] = writeInt64(writer, std::span<const std::int64_t>(stream));
+	cells["face_offsets"] = arrays::writeInt64(writer, std::span<const std::int64_t>(offsets));
+	cells["face_stream"] = arrays::writeInt64(writer, std::span<const std::int64_t>(stream));
 }
 
 template <class T>
-json writeCellsAs(ArrayWriter& writer, vtkUnstructuredGrid* grid, CellCounts& counts, bool curved)
+json writeCellsAs(arrays::Writer& writer, vtkUnstructuredGrid* grid, CellCounts& counts, bool curved)
 {
 	const auto given = spanOf<std::uint8_t>(grid->GetCellTypesArray());
 	const auto lists = listsOf<T>(grid->GetCells());
@@ -176,17 +178,17 @@ json writeCellsAs(ArrayWriter& writer, vtkUnstructuredGrid* grid, CellCounts& co
 	else
 	{
 		if (curved || !areAlike(types, lists))
-			cells["offsets"] = writeInt64(writer, lists.offsets);
-		cells["connectivity"] = writeIds(writer, lists.connectivity);
+			cells["offsets"] = arrays::writeInt64(writer, lists.offsets);
+		cells["connectivity"] = arrays::writeIds(writer, lists.connectivity);
 	}
-	if (std::find(types.begin(), types.end(), kPolyhedron) != types.end())
+	if (std::find(types.begin(), types.end(), read::kPolyhedron) != types.end())
 		writeFaces(writer, types, grid, cells);
 	return cells;
 }
 
 } // namespace
 
-json writeCells(ArrayWriter& writer, vtkUnstructuredGrid* grid, CellCounts& counts, bool curved)
+json writeCells(arrays::Writer& writer, vtkUnstructuredGrid* grid, CellCounts& counts, bool curved)
 {
 	vtkCellArray* cells = grid->GetCells();
 	if (!cells || !grid->GetCellTypesArray() || grid->GetNumberOfCells() == 0)
@@ -239,3 +241,5 @@ std::span<const vtkIdType> polyhedronFaces(vtkUnstructuredGrid* grid, vtkIdType 
 	}
 	return faces.subspan(begin, at - begin);
 }
+
+} // namespace vp::reader::cells

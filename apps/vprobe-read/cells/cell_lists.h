@@ -12,6 +12,9 @@
 class vtkUnsignedCharArray;
 class vtkUnstructuredGrid;
 
+namespace vp::reader::cells
+{
+
 // Counts the cells that are not handed over unchanged.
 struct CellCounts
 {
@@ -23,7 +26,7 @@ struct CellCounts
 
 // Writes the cell lists of a grid. A cell that is not to be shown stays in the list as an empty cell, so that cell
 // arrays keep their numbering. Returns null, and writes nothing, if no cell is left. curved: keepsCurved() is true.
-nlohmann::json writeCells(ArrayWriter& writer, vtkUnstructuredGrid* grid, CellCounts& counts, bool curved = false);
+nlohmann::json writeCells(arrays::Writer& writer, vtkUnstructuredGrid* grid, CellCounts& counts, bool curved = false);
 
 // Returns the marks of a grid's cells, or null if it has none. Throws a Refusal if there is not one mark per cell.
 vtkUnsignedCharArray* ghostMarks(vtkUnstructuredGrid* grid);
@@ -34,3 +37,5 @@ void refuseBadLists(vtkUnstructuredGrid* grid);
 // Returns the faces of a polyhedron: their number, then for each face its size and points. Throws a Refusal if they run
 // past their end.
 std::span<const vtkIdType> polyhedronFaces(vtkUnstructuredGrid* grid, vtkIdType cell);
+
+} // namespace vp::reader::cells

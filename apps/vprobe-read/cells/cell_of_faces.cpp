@@ -8,6 +8,9 @@
 #include <algorithm>
 #include <set>
 
+namespace vp::reader::cells
+{
+
 namespace
 {
 
@@ -103,5 +106,7 @@ void addCellOfFaces(GrownCells& cells, std::span<const FaceCorners> faces)
 	for (const vtkIdType corner : all)
 		cells.addPoint(corner);
 	cells.addFaces(stream);
-	cells.endCell(vp::read::kPolyhedron);
+	cells.endCell(read::kPolyhedron);
 }
+
+} // namespace vp::reader::cells

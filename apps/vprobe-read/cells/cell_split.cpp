@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-using vp::Vec3;
-using namespace vp::read;
+namespace vp::reader::cells
+{
 
 namespace
 {
@@ -68,7 +68,7 @@ void ownPoints(CellSplit& split, int count)
 void addWedges(CellSplit& split, std::initializer_list<std::array<std::size_t, 6>> wedges)
 {
 	for (const auto& w : wedges)
-		split.parts.push_back(part(kWedge, {w[0], w[1], w[2], w[3], w[4], w[5]}));
+		split.parts.push_back(part(read::kWedge, {w[0], w[1], w[2], w[3], w[4], w[5]}));
 }
 
 } // namespace
@@ -96,7 +96,7 @@ CellSplit splitHexahedron(std::array<int, 3> intervals, std::span<const Vec3> at
 		for (int j = 0; j < intervals[1]; ++j)
 			for (int i = 0; i < intervals[0]; ++i)
 				split.parts.push_back(
-				    part(kHexahedron,
+				    part(read::kHexahedron,
 				         {lattice.place(i, j, k), lattice.place(i + 1, j, k), lattice.place(i + 1, j + 1, k),
 				          lattice.place(i, j + 1, k), lattice.place(i, j, k + 1), lattice.place(i + 1, j, k + 1),
 				          lattice.place(i + 1, j + 1, k + 1), lattice.place(i, j + 1, k + 1)}));
@@ -181,14 +181,14 @@ CellSplit splitTetrahedron(int intervals, std::span<const Vec3> at)
 		for (int j = 0; j + k < intervals; ++j)
 			for (int i = 0; i + j + k < intervals; ++i)
 			{
-				split.parts.push_back(part(kTetra, {n(i, j, k), n(i + 1, j, k), n(i, j + 1, k), n(i, j, k + 1)}));
+				split.parts.push_back(part(read::kTetra, {n(i, j, k), n(i + 1, j, k), n(i, j + 1, k), n(i, j, k + 1)}));
 				const int room = intervals - i - j - k;
 				if (room >= 2)
 					split.parts.push_back(part(kOctahedron, {n(i + 1, j, k), n(i + 1, j + 1, k), n(i, j + 1, k),
 					                                         n(i, j, k + 1), n(i + 1, j, k + 1), n(i, j + 1, k + 1)}));
 				if (room >= 3)
-					split.parts.push_back(part(
-					    kTetra, {n(i + 1, j + 1, k + 1), n(i + 1, j, k + 1), n(i, j + 1, k + 1), n(i + 1, j + 1, k)}));
+					split.parts.push_back(part(read::kTetra, {n(i + 1, j + 1, k + 1), n(i + 1, j, k + 1),
+					                                          n(i, j + 1, k + 1), n(i + 1, j + 1, k)}));
 			}
 	return split;
 }
@@ -222,7 +222,7 @@ CellSplit splitTetrahedron15()
 	    {{0, 4, 1, 5, 2, 6, 10}, {0, 7, 3, 8, 1, 4, 11}, {1, 8, 3, 9, 2, 5, 12}, {0, 6, 2, 9, 3, 7, 13}}};
 	for (const auto& face : faces)
 		for (std::size_t i = 0; i < 6; ++i)
-			split.parts.push_back(part(kTetra, {face[i], face[(i + 1) % 6], face[6], 14}));
+			split.parts.push_back(part(read::kTetra, {face[i], face[(i + 1) % 6], face[6], 14}));
 	return split;
 }
 
@@ -238,14 +238,14 @@ CellSplit splitPyramid19()
 	                                                                          {13, 6, 2, 7, 11},
 	                                                                          {9, 10, 11, 12, 4},
 	                                                                          {9, 12, 11, 10, 18}})
-		split.parts.push_back(part(kPyramid, {base[0], base[1], base[2], base[3], base[4]}));
+		split.parts.push_back(part(read::kPyramid, {base[0], base[1], base[2], base[3], base[4]}));
 	for (const auto& [edge, left, right, middle] : sides)
 	{
-		split.parts.push_back(part(kTetra, {edge, middle, 13, left}));
-		split.parts.push_back(part(kTetra, {edge, 13, middle, right}));
-		split.parts.push_back(part(kTetra, {13, left, middle, 18}));
-		split.parts.push_back(part(kTetra, {13, middle, right, 18}));
-		split.parts.push_back(part(kTetra, {left, right, middle, 18}));
+		split.parts.push_back(part(read::kTetra, {edge, middle, 13, left}));
+		split.parts.push_back(part(read::kTetra, {edge, 13, middle, right}));
+		split.parts.push_back(part(read::kTetra, {13, left, middle, 18}));
+		split.parts.push_back(part(read::kTetra, {13, middle, right, 18}));
+		split.parts.push_back(part(read::kTetra, {left, right, middle, 18}));
 	}
 	return split;
 }
@@ -265,10 +265,10 @@ CellSplit splitPyramid(int points)
 	                                                                       {13, 6, 2, 7, 11},
 	                                                                       {9, 10, 11, 12, 4},
 	                                                                       {9, 12, 11, 10, 13}})
-		split.parts.push_back(part(kPyramid, {p[0], p[1], p[2], p[3], p[4]}));
+		split.parts.push_back(part(read::kPyramid, {p[0], p[1], p[2], p[3], p[4]}));
 	for (const auto& t : std::initializer_list<std::array<std::size_t, 4>>{
 	         {5, 13, 9, 10}, {6, 13, 10, 11}, {7, 13, 11, 12}, {8, 13, 12, 9}})
-		split.parts.push_back(part(kTetra, {t[0], t[1], t[2], t[3]}));
+		split.parts.push_back(part(read::kTetra, {t[0], t[1], t[2], t[3]}));
 	return split;
 }
 
@@ -282,12 +282,15 @@ const CellSplit& halvedSplit(std::uint8_t type)
 	static const CellSplit wedge = splitWedge(2, 2, prism);
 	static const CellSplit tetrahedron = splitTetrahedron(2, simplex);
 	static const CellSplit pyramid = splitPyramid(5);
-	return type == kHexahedron ? hexahedron : type == kWedge ? wedge : type == kPyramid ? pyramid : tetrahedron;
+	return type == read::kHexahedron ? hexahedron
+	       : type == read::kWedge    ? wedge
+	       : type == read::kPyramid  ? pyramid
+	                                 : tetrahedron;
 }
 
 int pointsOf(std::uint8_t part_type)
 {
-	return part_type == kOctahedron ? 6 : slicedCellSize(part_type);
+	return part_type == kOctahedron ? 6 : read::slicedCellSize(part_type);
 }
 
 const OctahedronCut& octahedronCut(int diagonal)
@@ -298,3 +301,5 @@ const OctahedronCut& octahedronCut(int diagonal)
 	                                                       {{{2, 4, 0, 1}, {2, 4, 1, 5}, {2, 4, 5, 3}, {2, 4, 3, 0}}}}};
 	return cuts[static_cast<std::size_t>(diagonal)];
 }
+
+} // namespace vp::reader::cells

@@ -7,6 +7,9 @@
 #include <span>
 #include <vector>
 
+namespace vp::reader::cells
+{
+
 // An octahedron among the parts of a cell: its points are the edge midpoints of a tetrahedron, in the order of a
 // quadratic tetrahedron's. It is cut into four tetrahedra along one of its diagonals.
 constexpr std::uint8_t kOctahedron = 255;
@@ -32,9 +35,9 @@ struct CellSplit
 
 // These split a cell over a lattice with so many intervals along its axes. `at` has the place of each point, from 0 to
 // 1. Only lattices of two intervals may lack points.
-CellSplit splitHexahedron(std::array<int, 3> intervals, std::span<const vp::Vec3> at);
-CellSplit splitWedge(int across, int along, std::span<const vp::Vec3> at);
-CellSplit splitTetrahedron(int intervals, std::span<const vp::Vec3> at);
+CellSplit splitHexahedron(std::array<int, 3> intervals, std::span<const Vec3> at);
+CellSplit splitWedge(int across, int along, std::span<const Vec3> at);
+CellSplit splitTetrahedron(int intervals, std::span<const Vec3> at);
 
 // These split cells with points in the middle of triangles. VTK fans faces about those points.
 CellSplit splitWedge21();
@@ -53,3 +56,5 @@ int pointsOf(std::uint8_t part_type);
 using OctahedronCut = std::array<std::array<std::uint8_t, 4>, 4>;
 const OctahedronCut& octahedronCut(int diagonal);
 constexpr std::array<std::array<std::uint8_t, 2>, 3> kOctahedronDiagonals = {{{0, 5}, {1, 3}, {2, 4}}};
+
+} // namespace vp::reader::cells

@@ -9,6 +9,9 @@
 #include <algorithm>
 #include <vector>
 
+namespace vp::reader::cells
+{
+
 namespace
 {
 
@@ -61,3 +64,5 @@ void addCellsByFaces(GrownCells& grown, const CellsByFaces& mesh)
 		addCellOfFaces(grown, faces);
 	}
 }
+
+} // namespace vp::reader::cells

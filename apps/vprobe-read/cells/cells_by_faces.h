@@ -4,6 +4,9 @@
 #include <cstdint>
 #include <span>
 
+namespace vp::reader::cells
+{
+
 class GrownCells;
 
 // Cells that a file describes by their faces. A face's normal, by the right-hand rule, points out of its first cell
@@ -20,3 +23,5 @@ struct CellsByFaces
 // Adds all cells, in their order. The numbers must be consistent. Throws a Refusal if a cell has fewer than four faces,
 // or a face fewer than three corners.
 void addCellsByFaces(GrownCells& grown, const CellsByFaces& mesh);
+
+} // namespace vp::reader::cells

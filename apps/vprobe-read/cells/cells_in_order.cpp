@@ -7,7 +7,8 @@
 #include <vtkNew.h>
 #include <vtkUnstructuredGrid.h>
 
-using vp::Vec3;
+namespace vp::reader::cells
+{
 
 void CellsInOrder::add(vtkIdType cell, std::uint8_t type, CellKind& kind, vtkIdList* points)
 {
@@ -40,3 +41,5 @@ void CellsInOrder::apply()
 		grid_->GetCells()->ReplaceCellAtId(cell, ordered);
 	}
 }
+
+} // namespace vp::reader::cells

@@ -7,9 +7,13 @@
 #include <cstdint>
 #include <vector>
 
-class SourceCells;
 class vtkIdList;
 class vtkUnstructuredGrid;
+
+namespace vp::reader::cells
+{
+
+class SourceCells;
 struct CellKind;
 
 // Finds the order in which a file lists the nodes of its curved cells, and brings them into VTK's: its shape functions
@@ -35,5 +39,7 @@ private:
 	vtkUnstructuredGrid* grid_;
 	SourceCells& source_;
 	std::vector<Doubtful> doubtful_;
-	std::vector<vp::Vec3> nodes_;
+	std::vector<Vec3> nodes_;
 };
+
+} // namespace vp::reader::cells

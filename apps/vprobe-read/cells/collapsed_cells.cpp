@@ -14,6 +14,9 @@
 #include <span>
 #include <vector>
 
+namespace vp::reader::cells
+{
+
 namespace
 {
 
@@ -220,3 +223,5 @@ void uncollapse(vtkUnstructuredGrid* grid, bool linear_too)
 	else
 		grid->SetCells(new_types, new_cells);
 }
+
+} // namespace vp::reader::cells

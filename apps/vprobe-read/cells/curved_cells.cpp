@@ -25,7 +25,8 @@
 #include <string_view>
 #include <vector>
 
-using namespace vp::read;
+namespace vp::reader::cells
+{
 
 namespace
 {
@@ -41,7 +42,7 @@ std::string_view shortName(std::uint8_t type)
 bool hasEqualCorners(std::uint8_t type, vtkIdList* ids)
 {
 	const auto corners =
-	    std::min(ids->GetNumberOfIds(), static_cast<vtkIdType>(vp::grid::topology(vp::grid::cornerShape(type)).points));
+	    std::min(ids->GetNumberOfIds(), static_cast<vtkIdType>(grid::topology(grid::cornerShape(type)).points));
 	for (vtkIdType c = 1; c < corners; ++c)
 		if (std::find(ids->begin(), ids->begin() + c, ids->GetId(c)) != ids->begin() + c)
 			return true;
@@ -63,7 +64,7 @@ void trimLists(vtkUnstructuredGrid* grid)
 	const auto keptOf = [&](vtkIdType cell) -> vtkIdType
 	{
 		const std::uint8_t type = types->GetValue(cell);
-		const vtkIdType fixed = vp::grid::isCurved(type) ? vp::grid::fixedNodes(type) : 0;
+		const vtkIdType fixed = grid::isCurved(type) ? grid::fixedNodes(type) : 0;
 		return fixed > 0 ? std::min(fixed, cells->GetCellSize(cell)) : cells->GetCellSize(cell);
 	};
 	vtkIdType cell = 0;
@@ -105,10 +106,10 @@ bool keepsCurved(vtkUnstructuredGrid* grid, double tolerance)
 	for (vtkIdType c = 0; c < count; ++c)
 	{
 		const std::uint8_t type = types->GetValue(c);
-		if (cellDimension(type) < 3 || (ghosts && (ghosts->GetValue(c) & kHiddenCellBits)))
+		if (read::cellDimension(type) < 3 || (ghosts && (ghosts->GetValue(c) & kHiddenCellBits)))
 			continue;
 		const vtkIdType points = grid->GetCells()->GetCellSize(c);
-		if (slicedCellSize(type) > 0 || vp::grid::isCurved(type))
+		if (read::slicedCellSize(type) > 0 || grid::isCurved(type))
 		{
 			grid->GetCells()->GetCellAtId(c, ids);
 			if (hasEqualCorners(type, ids))
@@ -116,15 +117,15 @@ bool keepsCurved(vtkUnstructuredGrid* grid, double tolerance)
 				                          "tolerance does not refine; give a level, such as --refine 1",
 				                          tolerance, c, shortName(type)));
 		}
-		if (slicedCellSize(type) > 0)
+		if (read::slicedCellSize(type) > 0)
 			continue;
-		if (!vp::grid::isCurved(type))
+		if (!grid::isCurved(type))
 			throw Refusal(fmt::format("--refine {}: cell {} is a {} of {} points, which a tolerance does not refine; "
 			                          "give a level, such as --refine 1",
 			                          tolerance, c, shortName(type), points));
-		if (const int fixed = vp::grid::fixedNodes(type); fixed > 0 && points != fixed)
+		if (const int fixed = grid::fixedNodes(type); fixed > 0 && points != fixed)
 			throw damaged(fmt::format("cell {} of type {} lists {} points", c, type, points));
-		if (!vp::grid::hasDegrees(type))
+		if (!grid::hasDegrees(type))
 			continue;
 		checkPoints(grid, c, ids);
 		order.add(c, type, source.enter(c, type, ids), ids);
@@ -133,7 +134,7 @@ bool keepsCurved(vtkUnstructuredGrid* grid, double tolerance)
 	return true;
 }
 
-void writeShapeArrays(ArrayWriter& writer, vtkUnstructuredGrid* grid, nlohmann::json& cells)
+void writeShapeArrays(arrays::Writer& writer, vtkUnstructuredGrid* grid, nlohmann::json& cells)
 {
 	vtkDataArray* degrees = grid->GetCellData()->GetHigherOrderDegrees();
 	if (degrees && degrees->GetNumberOfComponents() == 3 && degrees->GetNumberOfTuples() == grid->GetNumberOfCells())
@@ -143,10 +144,9 @@ void writeShapeArrays(ArrayWriter& writer, vtkUnstructuredGrid* grid, nlohmann::
 			for (int axis = 0; axis < 3; ++axis)
 			{
 				const double degree = degrees->GetComponent(c, axis);
-				numbers.push_back(degree >= 1.0 && degree <= vp::grid::kMaxDegree ? static_cast<std::int32_t>(degree)
-				                                                                  : 0);
+				numbers.push_back(degree >= 1.0 && degree <= grid::kMaxDegree ? static_cast<std::int32_t>(degree) : 0);
 			}
-		cells["degrees"] = writer.write(vp::grid::NumberType::int32, numbers.data(), 4 * numbers.size());
+		cells["degrees"] = writer.write(grid::NumberType::int32, numbers.data(), 4 * numbers.size());
 	}
 	vtkDataArray* weights = grid->GetPointData()->GetRationalWeights();
 	if (weights && weights->GetNumberOfComponents() == 1 && weights->GetNumberOfTuples() == grid->GetNumberOfPoints())
@@ -154,6 +154,8 @@ void writeShapeArrays(ArrayWriter& writer, vtkUnstructuredGrid* grid, nlohmann::
 		std::vector<double> numbers;
 		for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
 			numbers.push_back(weights->GetComponent(p, 0));
-		cells["weights"] = writer.write(vp::grid::NumberType::float64, numbers.data(), 8 * numbers.size());
+		cells["weights"] = writer.write(grid::NumberType::float64, numbers.data(), 8 * numbers.size());
 	}
 }
+
+} // namespace vp::reader::cells

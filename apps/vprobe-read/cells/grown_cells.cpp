@@ -8,6 +8,9 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
+namespace vp::reader::cells
+{
+
 GrownCells::GrownCells()
 {
 	offsets_->InsertNextValue(0);
@@ -40,8 +43,8 @@ void GrownCells::addPrism(std::span<const vtkIdType> points)
 {
 	for (const vtkIdType point : points)
 		addPoint(point);
-	addFaces(vp::read::prismFaces(points));
-	endCell(vp::read::kPolyhedron);
+	addFaces(read::prismFaces(points));
+	endCell(read::kPolyhedron);
 }
 
 void GrownCells::fill(vtkUnstructuredGrid* grid) const
@@ -53,3 +56,5 @@ void GrownCells::fill(vtkUnstructuredGrid* grid) const
 	else
 		grid->SetCells(types_, cells);
 }
+
+} // namespace vp::reader::cells

@@ -12,6 +12,9 @@ class vtkIdTypeArray;
 class vtkUnsignedCharArray;
 class vtkUnstructuredGrid;
 
+namespace vp::reader::cells
+{
+
 // Collects the cells of a grid, one after the other. Each knows which cell of the file it is part of.
 class GrownCells
 {
@@ -42,3 +45,5 @@ private:
 	vtkIdType face_location_ = -1;
 	std::vector<std::int64_t> sources_;
 };
+
+} // namespace vp::reader::cells

@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <limits>
 
-using vp::Vec3;
-using namespace vp::read;
+namespace vp::reader::cells
+{
 
 // Returns the number of linear cells that a cell's parts become after so many halvings.
 double countParts(const CellSplit& split, int level)
@@ -19,7 +19,7 @@ double countParts(const CellSplit& split, int level)
 	double pyramids = 0.0;
 	double others = 0.0;
 	for (const CellSplit::Part& part : split.parts)
-		(part.type == kPyramid ? pyramids : others) += part.type == kOctahedron ? 4.0 : 1.0;
+		(part.type == read::kPyramid ? pyramids : others) += part.type == kOctahedron ? 4.0 : 1.0;
 	for (; level > 0; --level)
 	{
 		others = 8.0 * others + 4.0 * pyramids;
@@ -103,9 +103,11 @@ void PartCutter::cutOctahedron(const LinearCell& octahedron, std::vector<LinearC
 	}
 	for (const auto& four : octahedronCut(best))
 	{
-		LinearCell tetrahedron = {kTetra, {}};
+		LinearCell tetrahedron = {read::kTetra, {}};
 		for (std::size_t i = 0; i < 4; ++i)
 			tetrahedron.corners[i] = octahedron.corners[four[i]];
 		parts.push_back(tetrahedron);
 	}
 }
+
+} // namespace vp::reader::cells

@@ -10,6 +10,9 @@
 #include <span>
 #include <vector>
 
+namespace vp::reader::cells
+{
+
 class NewNodes;
 class SourceCells;
 
@@ -17,7 +20,7 @@ class SourceCells;
 struct Corner
 {
 	vtkIdType point;
-	vp::Vec3 at; // in the source cell's own coordinates
+	Vec3 at; // in the source cell's own coordinates
 };
 
 struct LinearCell
@@ -49,3 +52,5 @@ private:
 	std::vector<LinearCell> parts_;
 	std::vector<LinearCell> finer_;
 };
+
+} // namespace vp::reader::cells

@@ -30,8 +30,8 @@
 #include <algorithm>
 #include <cmath>
 
-using vp::Vec3;
-using namespace vp::read;
+namespace vp::reader::cells
+{
 
 namespace
 {
@@ -41,7 +41,7 @@ constexpr double kMaxRefinedCells = 1e8;
 
 bool isRewritten(std::uint8_t type)
 {
-	return isCurved(type) || prismSides(type) > 0 || type == VTK_CONVEX_POINT_SET;
+	return isCurved(type) || read::prismSides(type) > 0 || type == VTK_CONVEX_POINT_SET;
 }
 
 class Linearizer
@@ -62,8 +62,8 @@ public:
 			cells_.startSource(c);
 			if (isShown(c) && isCurved(type))
 				addCurved(type);
-			else if (isShown(c) && prismSides(type) > 0)
-				addPrism(prismSides(type));
+			else if (isShown(c) && read::prismSides(type) > 0)
+				addPrism(read::prismSides(type));
 			else if (isShown(c) && type == VTK_CONVEX_POINT_SET)
 				addPointSet();
 			else
@@ -150,7 +150,7 @@ private:
 		const vtkIdType count = ids_->GetNumberOfIds();
 		vtkNew<vtkIdList> tetrahedra;
 		vtkNew<vtkPoints> ignored;
-		vp::Box box;
+		Box box;
 		for (vtkIdType i = 0; i < count; ++i)
 		{
 			const Vec3 at = nodes_.at(ids_->GetId(i));
@@ -171,12 +171,12 @@ private:
 			triangulator_->AddTetras(0, tetrahedra, ignored);
 		}
 		if (tetrahedra->GetNumberOfIds() == 0)
-			return cells_.endCell(kEmptyCell);
+			return cells_.endCell(read::kEmptyCell);
 		for (vtkIdType i = 0; i < tetrahedra->GetNumberOfIds(); ++i)
 		{
 			cells_.addPoint(ids_->GetId(tetrahedra->GetId(i)));
 			if (i % 4 == 3)
-				cells_.endCell(kTetra);
+				cells_.endCell(read::kTetra);
 		}
 	}
 
@@ -185,14 +185,14 @@ private:
 	{
 		for (int corner = 0; corner < 4; ++corner)
 			cells_.addPoint(point);
-		cells_.endCell(kTetra);
+		cells_.endCell(read::kTetra);
 	}
 
 	void addUnchanged(std::uint8_t type)
 	{
 		for (vtkIdType i = 0; i < ids_->GetNumberOfIds(); ++i)
 			cells_.addPoint(ids_->GetId(i));
-		if (type == kPolyhedron)
+		if (type == read::kPolyhedron)
 			cells_.addFaces(polyhedronFaces(grid_, cell_));
 		cells_.endCell(type);
 	}
@@ -247,3 +247,5 @@ std::optional<LinearCells> linearize(vtkUnstructuredGrid* grid, int level)
 	uncollapse(grid, false);
 	return Linearizer(grid, level).run();
 }
+
+} // namespace vp::reader::cells

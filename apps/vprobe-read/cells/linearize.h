@@ -8,6 +8,9 @@
 
 class vtkUnstructuredGrid;
 
+namespace vp::reader::cells
+{
+
 // A grid in which all curved cells have become cells that can be sliced.
 struct LinearCells
 {
@@ -23,3 +26,5 @@ struct LinearCells
 //
 // Returns nothing if there is no such cell. Throws a Refusal for damaged cells and for too high a level.
 std::optional<LinearCells> linearize(vtkUnstructuredGrid* grid, int level);
+
+} // namespace vp::reader::cells

@@ -11,7 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
-using vp::Vec3;
+namespace vp::reader::cells
+{
 
 namespace
 {
@@ -156,3 +157,5 @@ std::size_t NewNodes::count() const
 {
 	return static_cast<std::size_t>(points_->GetNumberOfPoints());
 }
+
+} // namespace vp::reader::cells

@@ -17,6 +17,9 @@ class vtkPointData;
 class vtkPoints;
 class vtkUnstructuredGrid;
 
+namespace vp::reader::cells
+{
+
 // Holds the points of a grid and the points added to it, with their arrays. A point in the middle of an edge or a face
 // is identified by the points about it, so that cells on both sides share it. New values are weighted sums in double
 // precision, so polynomials up to the cell's degree are exact. Arrays keep their type: integers are rounded to the
@@ -48,7 +51,7 @@ public:
 	// control points, not places.
 	void place(vtkIdType point, std::span<const double> weights);
 
-	vp::Vec3 at(vtkIdType point) const;
+	Vec3 at(vtkIdType point) const;
 	std::size_t count() const;
 	vtkPoints* points() const { return points_; }
 	vtkPointData* data() const { return data_; }
@@ -85,3 +88,5 @@ private:
 	std::vector<double> sum_;
 	std::unordered_map<Key, vtkIdType, Hash> between_;
 };
+
+} // namespace vp::reader::cells

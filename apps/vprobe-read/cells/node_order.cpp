@@ -11,7 +11,8 @@
 #include <map>
 #include <numeric>
 
-using vp::Vec3;
+namespace vp::reader::cells
+{
 
 namespace
 {
@@ -19,11 +20,10 @@ namespace
 // Another order must make the links shorter than this share of VTK's.
 constexpr double kClearlyShorter = 0.99;
 
-using Place = vp::grid::LatticePlace;
+using Place = grid::LatticePlace;
 
 // The orders of VTK 9.1 and PyFR, and of VTK before 9.1 and MFEM; then both with the order of Lagrange triangles.
-constexpr std::array<vp::grid::WedgeHabit, 4> kWedgeHabits = {
-    {{false, false}, {false, true}, {true, false}, {true, true}}};
+constexpr std::array<grid::WedgeHabit, 4> kWedgeHabits = {{{false, false}, {false, true}, {true, false}, {true, true}}};
 
 } // namespace
 
@@ -68,9 +68,9 @@ NodeOrder::NodeOrder(std::uint8_t type, const std::array<int, 3>& degrees, std::
 		orders_.push_back(order);
 	}
 	else
-		for (const vp::grid::WedgeHabit& habit : kWedgeHabits)
+		for (const grid::WedgeHabit& habit : kWedgeHabits)
 		{
-			const std::vector<Place> nodes = vp::grid::wedgeNodes(degrees[0], degrees[2], habit);
+			const std::vector<Place> nodes = grid::wedgeNodes(degrees[0], degrees[2], habit);
 			for (int n = 0; n < count; ++n)
 				order[known.at(nodes[n])] = n;
 			if (std::ranges::find(orders_, order) == orders_.end())
@@ -85,7 +85,7 @@ void NodeOrder::weigh(std::span<const Vec3> nodes)
 {
 	// A cell with a node that is no place is left out. It does not affect the order of the others.
 	const auto is_place = [](const Vec3& at)
-	{ return vp::read::isPlace(at.x) && vp::read::isPlace(at.y) && vp::read::isPlace(at.z); };
+	{ return read::isPlace(at.x) && read::isPlace(at.y) && read::isPlace(at.z); };
 	if (!std::ranges::all_of(nodes, is_place))
 		return;
 	for (std::size_t o = 0; o < orders_.size(); ++o)
@@ -101,3 +101,5 @@ const std::vector<int>& NodeOrder::best() const
 	const auto shortest = static_cast<std::size_t>(std::ranges::min_element(lengths_) - lengths_.begin());
 	return orders_[lengths_[shortest] < kClearlyShorter * lengths_[0] ? shortest : 0];
 }
+
+} // namespace vp::reader::cells

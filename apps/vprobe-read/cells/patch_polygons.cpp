@@ -10,6 +10,9 @@
 #include <algorithm>
 #include <vector>
 
+namespace vp::reader::cells
+{
+
 namespace
 {
 
@@ -36,7 +39,7 @@ vtkIdType cornersOf(int type, vtkIdType points)
 
 } // namespace
 
-nlohmann::json describePolygons(ArrayWriter& writer, vtkPointSet* data)
+nlohmann::json describePolygons(arrays::Writer& writer, vtkPointSet* data)
 {
 	std::vector<std::int64_t> starts = {0};
 	std::vector<std::int64_t> corners;
@@ -54,6 +57,8 @@ nlohmann::json describePolygons(ArrayWriter& writer, vtkPointSet* data)
 	if (corners.empty())
 		return nullptr;
 	return {{"coordinates", writeCoordinates(writer, data->GetPoints())},
-	        {"starts", writeInt64(writer, std::span<const std::int64_t>(starts))},
-	        {"corners", writeInt64(writer, std::span<const std::int64_t>(corners))}};
+	        {"starts", arrays::writeInt64(writer, std::span<const std::int64_t>(starts))},
+	        {"corners", arrays::writeInt64(writer, std::span<const std::int64_t>(corners))}};
 }
+
+} // namespace vp::reader::cells

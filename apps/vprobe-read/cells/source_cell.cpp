@@ -18,7 +18,8 @@
 #include <algorithm>
 #include <cmath>
 
-using vp::Vec3;
+namespace vp::reader::cells
+{
 
 namespace
 {
@@ -220,7 +221,7 @@ std::span<const double> SourceCells::ownWeights(const Vec3& at)
 {
 	auto& functions = functions_[kind_];
 	if (!functions)
-		functions = std::make_unique<vp::refine::CellKind>(type_, weights_.size(), kind_->degrees);
+		functions = std::make_unique<refine::CellKind>(type_, weights_.size(), kind_->degrees);
 	rational_.clear();
 	if (vtkDataArray* rational = kind_->handles ? grid_->GetPointData()->GetRationalWeights() : nullptr)
 		for (vtkIdType node = 0; node < points_->GetNumberOfIds(); ++node)
@@ -235,10 +236,12 @@ std::span<const double> SourceCells::weights(const Vec3& at)
 		return ownWeights(at);
 	if (type_ == VTK_QUADRATIC_PYRAMID)
 	{
-		vp::grid::weighPyramid(at, weights_);
+		grid::weighPyramid(at, weights_);
 		return weights_;
 	}
 	Vec3 place = at;
 	prototype(type_)->InterpolateFunctions(&place.x, weights_.data());
 	return weights_;
 }
+
+} // namespace vp::reader::cells

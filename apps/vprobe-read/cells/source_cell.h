@@ -11,16 +11,19 @@
 #include <span>
 #include <vector>
 
-namespace vp::refine
-{
-class CellKind;
-}
-
 class vtkCell;
 class vtkDataArray;
 class vtkIdList;
 class vtkUnsignedCharArray;
 class vtkUnstructuredGrid;
+
+namespace vp::refine
+{
+class CellKind;
+}
+
+namespace vp::reader::cells
+{
 
 // Returns true for cells whose shape functions are not linear: quadratic, Lagrange and Bézier.
 bool isCurved(std::uint8_t type);
@@ -35,7 +38,7 @@ struct CellKind
 {
 	CellSplit split;
 	std::array<int, 3> degrees;
-	std::vector<vp::Vec3> at;
+	std::vector<Vec3> at;
 	bool handles = false; // its points are not places (Bézier)
 	NodeOrder order;      // of the file, while the cells are looked at
 };
@@ -55,7 +58,7 @@ public:
 	std::array<int, 3> degreesOf(vtkIdType cell, std::uint8_t type, vtkIdType points) const;
 
 	// Returns the shape functions of the cell that was entered last.
-	std::span<const double> weights(const vp::Vec3& at);
+	std::span<const double> weights(const Vec3& at);
 
 private:
 	struct KindKey
@@ -67,16 +70,18 @@ private:
 	};
 
 	vtkCell* prototype(std::uint8_t type);
-	std::span<const double> ownWeights(const vp::Vec3& at);
+	std::span<const double> ownWeights(const Vec3& at);
 
 	vtkUnstructuredGrid* grid_;
 	std::map<KindKey, CellKind> kinds_;
 	std::map<std::uint8_t, vtkSmartPointer<vtkCell>> prototypes_;
 	// Shape functions of Lagrange and Bezier cells. VTK's own take seconds for cells of degree 8.
-	std::map<const CellKind*, std::unique_ptr<vp::refine::CellKind>> functions_;
+	std::map<const CellKind*, std::unique_ptr<refine::CellKind>> functions_;
 	std::uint8_t type_ = 0;
 	const CellKind* kind_ = nullptr;
 	vtkIdList* points_ = nullptr;
 	std::vector<double> weights_;
 	std::vector<double> rational_;
 };
+
+} // namespace vp::reader::cells

@@ -13,8 +13,11 @@
 #include <cmath>
 #include <vector>
 
+namespace vp::reader::cells
+{
+
+using grid::NumberType;
 using nlohmann::json;
-using vp::grid::NumberType;
 
 namespace
 {
@@ -22,7 +25,7 @@ namespace
 // Rows of at most this many numbers are converted at a time.
 constexpr vtkIdType kChunk = 1 << 16;
 
-json writeAsDouble(ArrayWriter& writer, vtkDataArray* array)
+json writeAsDouble(arrays::Writer& writer, vtkDataArray* array)
 {
 	std::vector<double> chunk;
 	const int components = array->GetNumberOfComponents();
@@ -39,7 +42,7 @@ json writeAsDouble(ArrayWriter& writer, vtkDataArray* array)
 	return writer.end(NumberType::float64);
 }
 
-json writeTurnedImage(ArrayWriter& writer, vtkImageData* image)
+json writeTurnedImage(arrays::Writer& writer, vtkImageData* image)
 {
 	const int* extent = image->GetExtent();
 	std::vector<double> row;
@@ -74,7 +77,7 @@ bool isAxisAligned(vtkMatrix3x3* direction)
 	return true;
 }
 
-json describeImage(ArrayWriter& writer, vtkImageData* image)
+json describeImage(arrays::Writer& writer, vtkImageData* image)
 {
 	std::array<int, 3> points;
 	image->GetDimensions(points.data());
@@ -93,7 +96,7 @@ json describeImage(ArrayWriter& writer, vtkImageData* image)
 	return {{"kind", "image"}, {"points", points}, {"origin", origin}, {"spacing", spacing}};
 }
 
-json describeImageOf(ArrayWriter& writer, vtkImageData* piece, const std::array<int, 3>& first)
+json describeImageOf(arrays::Writer& writer, vtkImageData* piece, const std::array<int, 3>& first)
 {
 	json axes = json::array();
 	const int* extent = piece->GetExtent();
@@ -110,7 +113,7 @@ json describeImageOf(ArrayWriter& writer, vtkImageData* piece, const std::array<
 	return {{"kind", "rectilinear"}, {"axes", axes}};
 }
 
-json describeRectilinear(ArrayWriter& writer, vtkRectilinearGrid* grid)
+json describeRectilinear(arrays::Writer& writer, vtkRectilinearGrid* grid)
 {
 	const std::array<vtkDataArray*, 3> axes = {grid->GetXCoordinates(), grid->GetYCoordinates(),
 	                                           grid->GetZCoordinates()};
@@ -125,7 +128,7 @@ json describeRectilinear(ArrayWriter& writer, vtkRectilinearGrid* grid)
 	return {{"kind", "rectilinear"}, {"axes", written}};
 }
 
-json describeCurvilinear(ArrayWriter& writer, vtkStructuredGrid* grid)
+json describeCurvilinear(arrays::Writer& writer, vtkStructuredGrid* grid)
 {
 	std::array<int, 3> points;
 	grid->GetDimensions(points.data());
@@ -135,7 +138,7 @@ json describeCurvilinear(ArrayWriter& writer, vtkStructuredGrid* grid)
 	return {{"kind", "curvilinear"}, {"points", points}, {"coordinates", writeCoordinates(writer, grid->GetPoints())}};
 }
 
-json writeCoordinates(ArrayWriter& writer, vtkPoints* points)
+json writeCoordinates(arrays::Writer& writer, vtkPoints* points)
 {
 	vtkDataArray* values = points->GetData();
 	if (values->GetNumberOfComponents() != 3)
@@ -147,3 +150,5 @@ json writeCoordinates(ArrayWriter& writer, vtkPoints* points)
 		return writer.write(NumberType::float64, values->GetVoidPointer(0), count * sizeof(double));
 	return writeAsDouble(writer, values);
 }
+
+} // namespace vp::reader::cells

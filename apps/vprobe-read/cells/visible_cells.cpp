@@ -11,9 +11,11 @@
 
 #include <algorithm>
 
+namespace vp::reader::cells
+{
+
+using grid::NumberType;
 using nlohmann::json;
-using vp::grid::NumberType;
-using namespace vp::read;
 
 const unsigned char kHiddenCellBits =
     vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL;
@@ -59,7 +61,7 @@ private:
 	std::int64_t nx_, ny_, nz_, layer_;
 };
 
-json writePoints(ArrayWriter& writer, vtkDataSet* data)
+json writePoints(arrays::Writer& writer, vtkDataSet* data)
 {
 	constexpr vtkIdType chunk_points = 1 << 14;
 	std::vector<double> chunk;
@@ -104,11 +106,11 @@ std::vector<unsigned char> hiddenCellsOf(vtkDataSet* data, const std::array<int,
 	return hidden;
 }
 
-json describeVisible(ArrayWriter& writer, vtkDataSet* data, const std::array<int, 3>& points,
+json describeVisible(arrays::Writer& writer, vtkDataSet* data, const std::array<int, 3>& points,
                      const std::vector<unsigned char>& hidden)
 {
 	const auto visible = static_cast<std::size_t>(std::count(hidden.begin(), hidden.end(), 0));
-	std::vector<std::uint8_t> types(hidden.size(), kEmptyCell);
+	std::vector<std::uint8_t> types(hidden.size(), read::kEmptyCell);
 	std::vector<std::int64_t> offsets = {0};
 	std::vector<std::int64_t> connectivity;
 	offsets.reserve(hidden.size() + 1);
@@ -118,16 +120,18 @@ json describeVisible(ArrayWriter& writer, vtkDataSet* data, const std::array<int
 	    {
 		    if (!hidden[cell])
 		    {
-			    types[cell] = kHexahedron;
+			    types[cell] = read::kHexahedron;
 			    connectivity.insert(connectivity.end(), ids.begin(), ids.end());
 		    }
 		    offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
 	    });
 	json cells = {{"types", writer.write(NumberType::uint8, types.data(), types.size())},
-	              {"offsets", writeInt64(writer, std::span<const std::int64_t>(offsets))},
-	              {"connectivity", writeIds(writer, std::span<const std::int64_t>(connectivity))}};
+	              {"offsets", arrays::writeInt64(writer, std::span<const std::int64_t>(offsets))},
+	              {"connectivity", arrays::writeIds(writer, std::span<const std::int64_t>(connectivity))}};
 	return {{"kind", "unstructured"},
 	        {"points", points},
 	        {"coordinates", writePoints(writer, data)},
 	        {"cells", std::move(cells)}};
 }
+
+} // namespace vp::reader::cells

@@ -9,6 +9,9 @@
 
 class vtkDataSet;
 
+namespace vp::reader::cells
+{
+
 // The bits of vtkGhostType on cells that mean "not to be shown": duplicate, refined, hidden.
 extern const unsigned char kHiddenCellBits;
 
@@ -18,5 +21,7 @@ std::vector<unsigned char> hiddenCellsOf(vtkDataSet* lattice, const std::array<i
 
 // Describes a lattice with hidden cells as an unstructured block: its points, a hexahedron per visible cell, and an
 // empty cell per hidden one, so that point and cell arrays keep their numbering.
-nlohmann::json describeVisible(ArrayWriter& writer, vtkDataSet* lattice, const std::array<int, 3>& points,
+nlohmann::json describeVisible(arrays::Writer& writer, vtkDataSet* lattice, const std::array<int, 3>& points,
                                const std::vector<unsigned char>& hidden);
+
+} // namespace vp::reader::cells

@@ -8,6 +8,9 @@
 #include <initializer_list>
 #include <optional>
 
+namespace vp::reader::checks
+{
+
 namespace
 {
 
@@ -129,3 +132,5 @@ std::string inOurWords(std::string_view complaint)
 	}
 	return words;
 }
+
+} // namespace vp::reader::checks

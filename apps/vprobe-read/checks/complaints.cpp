@@ -20,6 +20,9 @@
 #include <string_view>
 #include <utility>
 
+namespace vp::reader::checks
+{
+
 namespace
 {
 
@@ -164,3 +167,5 @@ std::vector<std::string> takeNotes()
 	more_notes = 0;
 	return std::exchange(notes, {});
 }
+
+} // namespace vp::reader::checks

@@ -4,6 +4,9 @@
 #include <string_view>
 #include <vector>
 
+namespace vp::reader::checks
+{
+
 // VTK's readers report trouble through the output window, and often continue with whatever they have. After this call,
 // the messages are kept. An error means that values may be missing or made up, so the input is refused. A warning is
 // only reported, unless it is one of those that lose values.
@@ -19,3 +22,5 @@ bool wasNoted(std::string_view words);
 
 // Returns the warnings: each once, shortened, and a line that counts those that were left out.
 std::vector<std::string> takeNotes();
+
+} // namespace vp::reader::checks

@@ -12,6 +12,9 @@
 #include <fstream>
 #include <sstream>
 
+namespace vp::reader::checks
+{
+
 namespace
 {
 
@@ -91,7 +94,7 @@ bool FileHead::isUcd() const
 		std::istringstream words(text);
 		int count = 0;
 		for (std::string word; words >> word; ++count)
-			if (!vp::parseReal(word))
+			if (!parseReal(word))
 				return 0;
 		return count;
 	};
@@ -174,3 +177,5 @@ std::string xmlTypeOf(std::string_view head)
 	const auto close = attributes.find(attributes[at], at + 1);
 	return close == attributes.npos ? std::string() : std::string(attributes.substr(at + 1, close - at - 1));
 }
+
+} // namespace vp::reader::checks

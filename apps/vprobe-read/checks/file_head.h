@@ -7,6 +7,9 @@
 #include <string>
 #include <string_view>
 
+namespace vp::reader::checks
+{
+
 // Holds what formats are recognized by: the first bytes of a file, its name, and the names in HDF5 and netCDF files.
 class FileHead
 {
@@ -60,3 +63,5 @@ std::set<std::string> hdf5Names(const std::string& file);
 
 // Returns the value of type="..." in the VTKFile element. Empty if there is none.
 std::string xmlTypeOf(std::string_view head);
+
+} // namespace vp::reader::checks

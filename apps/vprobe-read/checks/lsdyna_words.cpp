@@ -4,9 +4,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <cstring>
+
+namespace vp::reader::checks
+{
 
 namespace
 {
@@ -24,13 +25,7 @@ Number LsdynaWords::number(std::size_t word) const
 	static_assert(sizeof(Number) <= 8);
 	if (word >= count())
 		throw damaged("it ends within its words");
-	std::array<char, sizeof(Number)> bytes;
-	std::memcpy(bytes.data(), bytes_.data() + word * width_, bytes.size());
-	if (swapped_)
-		std::reverse(bytes.begin(), bytes.end());
-	Number value;
-	std::memcpy(&value, bytes.data(), bytes.size());
-	return value;
+	return numberAt<Number>(bytes_.data() + word * width_, order_);
 }
 
 std::int64_t LsdynaWords::integer(std::size_t word) const
@@ -58,10 +53,10 @@ bool LsdynaWords::hasHead() const
 LsdynaWords::LsdynaWords(std::string_view bytes) : bytes_(bytes)
 {
 	for (const std::size_t width : {4, 8})
-		for (const bool swapped : {false, true})
+		for (const ByteOrder order : {ByteOrder::little, ByteOrder::big})
 		{
 			width_ = width;
-			swapped_ = swapped;
+			order_ = order;
 			if (hasHead())
 				return;
 		}
@@ -69,7 +64,7 @@ LsdynaWords::LsdynaWords(std::string_view bytes) : bytes_(bytes)
 }
 
 LsdynaWords::LsdynaWords(std::string_view bytes, const LsdynaWords& first)
-    : bytes_(bytes), width_(first.width_), swapped_(first.swapped_)
+    : bytes_(bytes), width_(first.width_), order_(first.order_)
 {
 }
 
@@ -189,3 +184,5 @@ std::size_t LsdynaControl::stateWords() const
 	                       : deletion == Deletion::elements ? elementCount()
 	                                                        : 0);
 }
+
+} // namespace vp::reader::checks

@@ -1,10 +1,14 @@
 #pragma once
 
-#include <array>
+#include "vprobe-read/base/bytes.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
+
+namespace vp::reader::checks
+{
 
 // Reads the words of a d3plot file. They have 4 or 8 bytes, in either byte order.
 class LsdynaWords
@@ -33,7 +37,7 @@ private:
 
 	std::string_view bytes_;
 	std::size_t width_ = 4;
-	bool swapped_ = false;
+	ByteOrder order_ = ByteOrder::little;
 };
 
 // Holds the control words, which "LS-DYNA Database Binary Output Files" (LSTC) describes.
@@ -77,3 +81,5 @@ private:
 	std::size_t head_words_ = 64;
 	std::size_t material_words_ = 0;
 };
+
+} // namespace vp::reader::checks

@@ -1,5 +1,6 @@
 #include "netcdf_size.h"
 
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/refusal.h"
 
 #include <fmt/format.h>
@@ -9,6 +10,9 @@
 #include <fstream>
 #include <string_view>
 #include <vector>
+
+namespace vp::reader::checks
+{
 
 namespace
 {
@@ -74,10 +78,10 @@ private:
 	bool wide() const { return version_ == 5; }
 	std::uint64_t number(int bytes)
 	{
-		std::uint64_t value = 0;
-		for (int i = 0; i < bytes; ++i)
-			value = value << 8 | static_cast<unsigned char>(in_.get());
-		return value;
+		std::array<char, 8> number;
+		number.fill('\xFF'); // as it stays past the end
+		in_.read(number.data(), bytes);
+		return integerAt(number.data(), static_cast<std::size_t>(bytes), ByteOrder::big);
 	}
 	std::uint64_t count() { return number(wide() ? 8 : 4); }
 	void skip(std::uint64_t bytes)
@@ -166,3 +170,5 @@ std::set<std::string> netcdfNames(const std::string& file)
 	header.size();
 	return header.names();
 }
+
+} // namespace vp::reader::checks

@@ -5,6 +5,9 @@
 #include <set>
 #include <string>
 
+namespace vp::reader::checks
+{
+
 // Returns the number of bytes that a classic netCDF file (CDF-1, -2 or -5) must have to hold all its variables. The
 // netCDF library reads zeros past the end. Returns nothing if the header is damaged, or if it is written as a stream,
 // without the number of records.
@@ -15,3 +18,5 @@ void refuseShortNetcdf(const std::string& file);
 
 // Returns the names of the file's dimensions, variables and global attributes, as far as the header is readable.
 std::set<std::string> netcdfNames(const std::string& file);
+
+} // namespace vp::reader::checks

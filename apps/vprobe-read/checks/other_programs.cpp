@@ -11,6 +11,9 @@
 #include <string>
 #include <string_view>
 
+namespace vp::reader::checks
+{
+
 namespace
 {
 
@@ -56,3 +59,5 @@ void refuseOtherPrograms(const FileHead& head)
 	if (!head.isFolder())
 		refuseOtherMeshes(head);
 }
+
+} // namespace vp::reader::checks

@@ -1,5 +1,6 @@
 #include "xml_check.h"
 
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/mapped_text.h"
 #include "vprobe-read/base/nesting.h"
 #include "vprobe-read/base/refusal.h"
@@ -8,14 +9,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <charconv>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <new>
 #include <string_view>
+
+namespace vp::reader::checks
+{
 
 namespace
 {
@@ -58,7 +60,7 @@ class RawArrays
 public:
 	RawArrays(std::string_view bytes, std::string_view file_element)
 	    : bytes_(bytes), word_bytes_(hasAttribute(file_element, "header_type", "UInt64") ? 8 : 4),
-	      big_endian_(hasAttribute(file_element, "byte_order", "BigEndian")),
+	      order_(byteOrder(hasAttribute(file_element, "byte_order", "BigEndian"))),
 	      compressed_(file_element.find(" compressor=") != file_element.npos)
 	{
 	}
@@ -95,16 +97,14 @@ private:
 			from = {};
 			return ~std::uint64_t(0);
 		}
-		std::uint64_t value = 0;
-		for (std::size_t i = 0; i < word_bytes_; ++i)
-			value = value << 8 | static_cast<unsigned char>(from[big_endian_ ? i : word_bytes_ - 1 - i]);
+		const std::uint64_t value = integerAt(from.data(), word_bytes_, order_);
 		from.remove_prefix(word_bytes_);
 		return value;
 	}
 
 	std::string_view bytes_;
 	std::size_t word_bytes_;
-	bool big_endian_;
+	ByteOrder order_;
 	bool compressed_;
 };
 
@@ -211,3 +211,5 @@ void refuseDeepXml(const std::string& file)
 {
 	refuseDeep(MappedText(file).text());
 }
+
+} // namespace vp::reader::checks

@@ -25,6 +25,9 @@
 #include <fstream>
 #include <set>
 
+namespace vp::reader::convert
+{
+
 namespace fs = std::filesystem;
 
 namespace
@@ -67,7 +70,7 @@ void writeXml(vtkDataSet* data, const std::string& file)
 	writer->SetHeaderTypeToUInt64();
 	writer->EncodeAppendedDataOff();
 	// A complaint of the writer is about the place, not about the input, which was read without a complaint.
-	if (!writer->Write() || writer->GetErrorCode() != 0 || hasComplaint() || !fs::exists(file))
+	if (!writer->Write() || writer->GetErrorCode() != 0 || checks::hasComplaint() || !fs::exists(file))
 		throw NoRoom(kNoRoom);
 }
 
@@ -139,3 +142,5 @@ void writeConverted(const std::vector<KeptBlock>& blocks, const Request& request
 		                          endingOf(data) == ".vtu" ? "" : ", .vtu", ending));
 	writeXml(data, file);
 }
+
+} // namespace vp::reader::convert

@@ -6,7 +6,14 @@
 #include <vector>
 
 class vtkDataSet;
+
+namespace vp::reader
+{
 struct Request;
+}
+
+namespace vp::reader::convert
+{
 
 // A data set that was read, with everything that it holds besides the cells that are shown.
 struct KeptBlock
@@ -22,3 +29,5 @@ void writeConverted(const std::vector<KeptBlock>& blocks, const Request& request
 // Writes one block as VTKHDF, images in bricks. Their arrays may stay in the files that they come from (storedArray()).
 // threads: the most to use. Only vprobe-read-more has this.
 void writeVtkHdf(vtkDataSet* data, const std::string& file, int threads);
+
+} // namespace vp::reader::convert

@@ -9,22 +9,25 @@
 #include <cstring>
 #include <filesystem>
 
-StoredLayers::StoredLayers(const StoredPlace& place, const ValueLayout& layout, int threads)
+namespace vp::reader::convert
+{
+
+StoredLayers::StoredLayers(const arrays::StoredPlace& place, const arrays::ValueLayout& layout, int threads)
     : place_(place), items_{layout.points[0], layout.points[1], layout.points[2]},
       item_bytes_(layout.components * byteSize(layout.type)), number_bytes_(byteSize(layout.type)),
       layer_bytes_(items_[0] * items_[1] * item_bytes_), threads_(threads)
 {
 	if (!place.reader.empty())
-		unpack_ = unpackerOf(std::filesystem::path(place.file).parent_path().string(), place.reader);
+		unpack_ = arrays::unpackerOf(std::filesystem::path(place.file).parent_path().string(), place.reader);
 	else if (!place.offsets.empty())
-		unpack_ = unpackerOf(place.file, place.filters);
+		unpack_ = arrays::unpackerOf(place.file, place.filters);
 }
 
 void StoredLayers::read(std::uint64_t first, std::span<std::byte> to) const
 {
 	unpack_ ? readParts(first, to) : readRows(first, to);
 	if (place_.swaps)
-		vp::parts::swapNumbers(to, number_bytes_);
+		parts::swapNumbers(to, number_bytes_);
 }
 
 void StoredLayers::readRows(std::uint64_t first, std::span<std::byte> to) const
@@ -41,7 +44,7 @@ void StoredLayers::readPart(std::uint64_t number, std::span<std::byte> part) con
 	if (!place_.reader.empty())
 		return unpack_({number, 0, 0}, part);
 	if (place_.offsets[number] == ~std::uint64_t(0))
-		return vp::parts::fillItems(part, std::as_bytes(std::span(place_.fill)));
+		return parts::fillItems(part, std::as_bytes(std::span(place_.fill)));
 	const bool is_packed = !place_.filters.empty();
 	unpack_({place_.offsets[number], is_packed ? place_.sizes[number] : part.size(),
 	         is_packed ? place_.left_out[number] : 0},
@@ -58,9 +61,9 @@ void StoredLayers::readParts(std::uint64_t first, std::span<std::byte> to) const
 	const std::uint64_t of_layer = along[0] * along[1];
 	const std::uint64_t first_part = first / side[2] * of_layer;
 	const std::uint64_t end_part = (end + side[2] - 1) / side[2] * of_layer;
-	Tasks tasks(threads_);
+	quick::Tasks tasks(threads_);
 	tasks.add(end_part - first_part,
-	          [&](std::size_t task, Scratch& scratch)
+	          [&](std::size_t task, arrays::Scratch& scratch)
 	          {
 		          const std::uint64_t number = first_part + task;
 		          scratch.unpacked.assign(side[0] * side[1] * side[2] * item_bytes_, std::byte(0));
@@ -77,3 +80,5 @@ void StoredLayers::readParts(std::uint64_t first, std::span<std::byte> to) const
 	          });
 	tasks.run();
 }
+
+} // namespace vp::reader::convert

@@ -8,12 +8,15 @@
 #include <span>
 #include <vector>
 
+namespace vp::reader::convert
+{
+
 // Reads an array that stays in its file some layers at a time, so that it is never in memory as a whole.
 class StoredLayers
 {
 public:
 	// place: of an array with this layout. threads: the most to use.
-	StoredLayers(const StoredPlace& place, const ValueLayout& layout, int threads);
+	StoredLayers(const arrays::StoredPlace& place, const arrays::ValueLayout& layout, int threads);
 
 	std::uint64_t layerBytes() const { return layer_bytes_; }
 	// How many layers are read best at once: those of a row of parts.
@@ -26,11 +29,13 @@ private:
 	void readParts(std::uint64_t first, std::span<std::byte> to) const;
 	void readPart(std::uint64_t number, std::span<std::byte> part) const;
 
-	const StoredPlace& place_;
+	const arrays::StoredPlace& place_;
 	std::array<std::uint64_t, 3> items_;
 	std::uint64_t item_bytes_;
 	std::uint64_t number_bytes_;
 	std::uint64_t layer_bytes_;
 	int threads_;
-	UnpackPart unpack_; // null for rows
+	arrays::UnpackPart unpack_; // null for rows
 };
+
+} // namespace vp::reader::convert

@@ -22,6 +22,9 @@
 
 #include <hdf5.h>
 
+namespace vp::reader::convert
+{
+
 namespace
 {
 
@@ -141,15 +144,15 @@ void writeBricks(hid_t group, const char* name, vtkDataArray* array, const std::
 	const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
 	checked(H5Pset_chunk(properties, static_cast<int>(brick.size()), brick.data()));
 	const Handle set(H5Dcreate2(group, name, type, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose);
-	const StoredPlace* place = storedPlaceOf(array);
+	const arrays::StoredPlace* place = arrays::storedPlaceOf(array);
 	if (!place)
 	{
 		checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, array->GetVoidPointer(0)));
 		return;
 	}
-	ValueLayout layout;
+	arrays::ValueLayout layout;
 	layout.components = static_cast<std::uint32_t>(array->GetNumberOfComponents());
-	layout.type = *numberTypeOfVtk(array->GetDataType());
+	layout.type = *arrays::numberTypeOfVtk(array->GetDataType());
 	for (std::size_t axis = 0; axis < 3; ++axis)
 		layout.points[axis] = static_cast<std::uint32_t>(sides[2 - axis]);
 	const StoredLayers layers(*place, layout, threads);
@@ -190,7 +193,7 @@ void writeArrays(hid_t root, const char* name, vtkDataSetAttributes* fields, con
 				c = '_'; // which HDF5 takes for a way to another group
 		const auto bytes =
 		    static_cast<hsize_t>(array->GetNumberOfValues()) * static_cast<hsize_t>(array->GetDataTypeSize());
-		if (storedPlaceOf(array) || (sides.size() == 3 && bytes > kMinBytesInBricks))
+		if (arrays::storedPlaceOf(array) || (sides.size() == 3 && bytes > kMinBytesInBricks))
 			writeBricks(group, plain.c_str(), array, all, threads);
 		else
 			writeValues(group, plain.c_str(), typeOf(array->GetDataType()), all, array->GetVoidPointer(0));
@@ -271,3 +274,5 @@ void writeVtkHdf(vtkDataSet* data, const std::string& path, int threads)
 		throw NoRoom(kNoRoom);
 	file.close();
 }
+
+} // namespace vp::reader::convert

@@ -6,6 +6,9 @@
 #include <sys/prctl.h>
 #include <sys/stat.h>
 
+namespace vp::reader::door
+{
+
 namespace
 {
 
@@ -48,3 +51,5 @@ void refuseExec()
 		refuseExecBySeccomp();
 	is_execution_open = false;
 }
+
+} // namespace vp::reader::door

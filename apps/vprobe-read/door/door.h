@@ -5,6 +5,9 @@
 #include <string>
 #include <vector>
 
+namespace vp::reader::door
+{
+
 // The sandbox of the reader, which it closes around itself: what follows can do no more than read the files that are
 // named here, whatever a damaged file makes of it. Nothing of this touches the parent.
 
@@ -36,3 +39,5 @@ void refuseExec();
 // Sanitizers start another program for the names in their reports, and look at the process itself. So in such a build
 // the door leaves processes and programs alone, and lets /proc and the system be read.
 using vp::kSanitized;
+
+} // namespace vp::reader::door

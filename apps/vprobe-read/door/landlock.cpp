@@ -10,6 +10,9 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+namespace vp::reader::door
+{
+
 namespace
 {
 
@@ -125,3 +128,5 @@ int holdByLandlock(const Opening& opening)
 			rules.allow(path, kReadFile | kExecute);
 	return rules.hold() ? static_cast<int>(version) : 0;
 }
+
+} // namespace vp::reader::door

@@ -11,6 +11,9 @@
 #include <dlfcn.h>
 #include <link.h>
 
+namespace vp::reader::door
+{
+
 namespace fs = std::filesystem;
 
 namespace
@@ -68,9 +71,9 @@ bool mayNameFiles(const Request& request)
 {
 	if (request.format.empty() && !request.raw.empty())
 		return false;
-	if (const vp::read::Format* format = vp::read::findFormat(request.format))
-		return format->files != vp::read::FormatFiles::alone;
-	return vp::read::mayNameFiles(request.file);
+	if (const read::Format* format = read::findFormat(request.format))
+		return format->files != read::FormatFiles::alone;
+	return read::mayNameFiles(request.file);
 }
 
 void addInput(const Request& request, Places& places)
@@ -111,3 +114,5 @@ Opening openingFor(const Request& request)
 	opening.execute = programWithMore();
 	return opening;
 }
+
+} // namespace vp::reader::door

@@ -22,6 +22,9 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+namespace vp::reader::door
+{
+
 namespace
 {
 
@@ -130,7 +133,7 @@ Code notTheLifePipe(std::initializer_list<unsigned> arguments, const Code& rest)
 	for (const unsigned argument : arguments)
 	{
 		code.push_back(loadArgument(argument));
-		code.push_back(jumpIf(BPF_JEQ, vp::read::kLifeFd, 0, 1));
+		code.push_back(jumpIf(BPF_JEQ, read::kLifeFd, 0, 1));
 		code.push_back(answer(refuseWith(EBADF)));
 	}
 	code.insert(code.end(), rest.begin(), rest.end());
@@ -219,3 +222,5 @@ bool refuseExecBySeccomp()
 	filter.on(SYS_execve, {answer(refuseWith(ENOSYS))});
 	return filter.hold(kAllow);
 }
+
+} // namespace vp::reader::door

@@ -1,5 +1,8 @@
 #pragma once
 
+namespace vp::reader::door
+{
+
 // Which of the system's calls this process may still make, by a filter of Linux's seccomp. A call that it does not know
 // answers ENOSYS, as on an older kernel, so that libraries take their other way. A known call with an argument that is
 // not allowed answers EACCES. The functions return true if the filter holds.
@@ -13,3 +16,5 @@ bool holdBySeccomp(const Permits& permits);
 
 // A second filter, which refuses to become another program.
 bool refuseExecBySeccomp();
+
+} // namespace vp::reader::door

@@ -3,6 +3,9 @@
 
 #include <hdf5.h>
 
+namespace vp::reader
+{
+
 namespace
 {
 
@@ -20,9 +23,9 @@ herr_t addAttribute(hid_t, const char* name, const H5A_info_t*, void* names)
 
 } // namespace
 
-void needHdf5(const Request&) {}
+void formats::needHdf5(const Request&) {}
 
-std::set<std::string> hdf5Names(const std::string& file)
+std::set<std::string> checks::hdf5Names(const std::string& file)
 {
 	std::set<std::string> names;
 	H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // it would print its own stack of errors
@@ -34,3 +37,5 @@ std::set<std::string> hdf5Names(const std::string& file)
 	H5Fclose(opened);
 	return names;
 }
+
+} // namespace vp::reader

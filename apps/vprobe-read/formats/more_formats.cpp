@@ -10,48 +10,53 @@
 
 #include <unistd.h>
 
+namespace vp::reader
+{
+
 namespace
 {
 
 // Becomes vprobe-read-more, which begins anew with the same arguments and limits.
 [[noreturn]] void continueWithMore(const Request& request)
 {
-	for (const int fd : {vp::read::kArraysFd, vp::read::kCellsFd})
+	for (const int fd : {read::kArraysFd, read::kCellsFd})
 		if (ftruncate(fd, 0) != 0 || lseek(fd, 0, SEEK_SET) != 0)
 			throw Refusal("the shared memory for its arrays cannot be emptied; try again");
-	const std::string program = programWithMore();
+	const std::string program = door::programWithMore();
 	execv(program.c_str(), request.arguments);
 	throw Refusal("needs " + program + ", which cannot be started; install it beside vprobe-read");
 }
 
 } // namespace
 
-void needHdf5(const Request& request)
+void formats::needHdf5(const Request& request)
 {
 	continueWithMore(request);
 }
 
-std::set<std::string> hdf5Names(const std::string&)
+std::set<std::string> checks::hdf5Names(const std::string&)
 {
 	return {}; // HDF5 files have gone to vprobe-read-more
 }
 
-void unpackParts(const Request&, const std::function<void(std::string_view)>&)
+void volumes::unpackParts(const Request&, const std::function<void(std::string_view)>&)
 {
 	throw Refusal("parts are unpacked by vprobe-read-more"); // which this process has become by then
 }
 
-void writeVtkHdf(vtkDataSet*, const std::string&, int)
+void convert::writeVtkHdf(vtkDataSet*, const std::string&, int)
 {
 	throw Refusal("VTKHDF is written by vprobe-read-more"); // which this process has become by then
 }
 
-#define VP_IN_base(FUNCTION)
-#define VP_IN_more(FUNCTION)                                                                                           \
-	void read##FUNCTION(const Request& request, ManifestWriter&)                                                       \
+#define VP_IN_base(ROOM, FUNCTION)
+#define VP_IN_more(ROOM, FUNCTION)                                                                                     \
+	void ROOM::read##FUNCTION(const Request& request, manifest::Writer&)                                               \
 	{                                                                                                                  \
 		continueWithMore(request);                                                                                     \
 	}
-#define VP_FORMAT(NAME, ENDINGS, WHAT, READ, BY, FILES, SIGN, PROGRAM, FUNCTION) VP_IN_##PROGRAM(FUNCTION)
+#define VP_FORMAT(NAME, ENDINGS, WHAT, READ, BY, FILES, SIGN, PROGRAM, ROOM, FUNCTION) VP_IN_##PROGRAM(ROOM, FUNCTION)
 #include "read/format_table.inl"
 #undef VP_FORMAT
+
+} // namespace vp::reader

@@ -11,25 +11,28 @@
 #include <algorithm>
 #include <filesystem>
 
+namespace vp::reader::formats
+{
+
 namespace
 {
 
 struct Reader
 {
 	std::string_view format;
-	bool (*recognizes)(const FileHead& head);
-	void (*read)(const Request& request, ManifestWriter& manifest);
+	bool (*recognizes)(const checks::FileHead& head);
+	void (*read)(const Request& request, manifest::Writer& manifest);
 };
 
 constexpr Reader kReaders[] = {
-#define VP_FORMAT(NAME, ENDINGS, WHAT, READ, BY, FILES, SIGN, PROGRAM, FUNCTION)                                       \
-	{NAME, []([[maybe_unused]] const FileHead& head) -> bool { return SIGN; }, read##FUNCTION},
+#define VP_FORMAT(NAME, ENDINGS, WHAT, READ, BY, FILES, SIGN, PROGRAM, ROOM, FUNCTION)                                 \
+	{NAME, []([[maybe_unused]] const checks::FileHead& head) -> bool { return SIGN; }, ROOM::read##FUNCTION},
 #include "read/format_table.inl"
 #undef VP_FORMAT
 };
 
 // Why no format was recognized.
-Refusal notRecognized(const FileHead& head)
+Refusal notRecognized(const checks::FileHead& head)
 {
 	if (head.ends({".q"}))
 		return Refusal("a PLOT3D solution; give the grid file, and this one as --solution");
@@ -38,54 +41,57 @@ Refusal notRecognized(const FileHead& head)
 	if (head.isHdf5() || head.isNetcdf())
 		return Refusal(fmt::format("{} data of another program or damaged ones; see vprobe info --formats",
 		                           head.isHdf5() ? "HDF5" : "netCDF"));
-	if (vp::read::formatOfEnding(head.file()))
+	if (read::formatOfEnding(head.file()))
 		return damaged(fmt::format("its first bytes are not those of a {} file",
 		                           std::filesystem::path(head.file()).extension().string()));
 	return Refusal("not a format that can be read; vprobe info --formats lists those that can");
 }
 
 // Refuses to become vprobe-read-more, unless that reads the format, or one of the files that a list over time names.
-void refuseExecFor(std::string_view format, const FileHead& head)
+void refuseExecFor(std::string_view format, const checks::FileHead& head)
 {
 	static bool is_list = false;
-	is_list = is_list || format == "series" || (format == "vtk-xml-index" && xmlTypeOf(head.text()) == "Collection");
-	if (!is_list && !vp::read::findFormat(format)->in_more)
-		refuseExec();
+	is_list =
+	    is_list || format == "series" || (format == "vtk-xml-index" && checks::xmlTypeOf(head.text()) == "Collection");
+	if (!is_list && !read::findFormat(format)->in_more)
+		door::refuseExec();
 }
 
 } // namespace
 
 std::string xmlTypeOfFile(const std::string& file)
 {
-	return xmlTypeOf(FileHead(file).text());
+	return checks::xmlTypeOf(checks::FileHead(file).text());
 }
 
-void readAnyXml(const Request& request, ManifestWriter& manifest)
+void readAnyXml(const Request& request, manifest::Writer& manifest)
 {
-	readXml(request, xmlTypeOfFile(request.file), manifest);
+	vtk::readXml(request, xmlTypeOfFile(request.file), manifest);
 }
 
-void readAnyFormat(const Request& request, ManifestWriter& manifest)
+void readAnyFormat(const Request& request, manifest::Writer& manifest)
 {
 	if (request.file.starts_with(kDemoPrefix))
 		return readDemo(request, manifest);
-	if (!request.slices.empty() && std::all_of(request.slices.begin(), request.slices.end(), vp::isPictureName))
-		return readSlices(request, manifest);
-	const FileHead head(request.file);
+	if (!request.slices.empty() && std::all_of(request.slices.begin(), request.slices.end(), isPictureName))
+		return volumes::readSlices(request, manifest);
+	const checks::FileHead head(request.file);
 	if (head.isHdf5())
 		needHdf5(request);
 	if (head.isFolder())
-		refuseOtherPrograms(head); // a folder is taken for a DICOM series otherwise
+		checks::refuseOtherPrograms(head); // a folder is taken for a DICOM series otherwise
 	const std::string format = request.format.empty() && !request.raw.empty() ? "raw" : request.format;
 	const auto suits = [&](const Reader& reader)
 	{ return format.empty() ? reader.recognizes(head) : reader.format == format; };
 	const auto reader = std::find_if(std::begin(kReaders), std::end(kReaders), suits);
 	if (reader == std::end(kReaders) && format.empty())
-		refuseOtherPrograms(head);
+		checks::refuseOtherPrograms(head);
 	if (reader == std::end(kReaders))
 		throw notRecognized(head);
 	refuseExecFor(reader->format, head);
 	if (!request.slices.empty() && reader->format != "dicom")
-		return readStack(request, manifest);
+		return volumes::readStack(request, manifest);
 	reader->read(request, manifest);
 }
+
+} // namespace vp::reader::formats

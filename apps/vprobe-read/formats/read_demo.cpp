@@ -19,26 +19,29 @@
 #include <array>
 #include <cstring>
 
+namespace vp::reader::formats
+{
+
 namespace
 {
 
-using vp::grid::NumberType;
+using grid::NumberType;
 
 // Makes VTK's data set of a grid, with points and cells in the order of its source.
 struct DemoMaker
 {
-	vtkSmartPointer<vtkDataSet> operator()(const vp::grid::UniformGrid& grid) const
+	vtkSmartPointer<vtkDataSet> operator()(const grid::UniformGrid& grid) const
 	{
 		const auto n = grid.points();
-		const vp::Vec3 origin = grid.point(0);
-		const vp::Vec3 next = grid.point(grid.pointId(1, 1, 1));
+		const Vec3 origin = grid.point(0);
+		const Vec3 next = grid.point(grid.pointId(1, 1, 1));
 		vtkNew<vtkImageData> image;
 		image->SetDimensions(static_cast<int>(n[0]), static_cast<int>(n[1]), static_cast<int>(n[2]));
 		image->SetOrigin(origin.x, origin.y, origin.z);
 		image->SetSpacing(next.x - origin.x, next.y - origin.y, next.z - origin.z);
 		return image.Get();
 	}
-	vtkSmartPointer<vtkDataSet> operator()(const vp::grid::RectilinearGrid& grid) const
+	vtkSmartPointer<vtkDataSet> operator()(const grid::RectilinearGrid& grid) const
 	{
 		vtkNew<vtkRectilinearGrid> made;
 		std::array<int, 3> points;
@@ -56,7 +59,7 @@ struct DemoMaker
 		}
 		return made.Get();
 	}
-	vtkSmartPointer<vtkDataSet> operator()(const vp::grid::CurvilinearGrid& grid) const
+	vtkSmartPointer<vtkDataSet> operator()(const grid::CurvilinearGrid& grid) const
 	{
 		vtkNew<vtkStructuredGrid> made;
 		const auto n = grid.sourceLattice().points();
@@ -64,7 +67,7 @@ struct DemoMaker
 		made->SetPoints(pointsOf(grid));
 		return made.Get();
 	}
-	vtkSmartPointer<vtkDataSet> operator()(const vp::grid::UnstructuredGrid& grid) const
+	vtkSmartPointer<vtkDataSet> operator()(const grid::UnstructuredGrid& grid) const
 	{
 		constexpr std::array<int, 4> types = {VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON};
 		vtkNew<vtkUnstructuredGrid> made;
@@ -72,7 +75,7 @@ struct DemoMaker
 		made->AllocateEstimate(static_cast<vtkIdType>(grid.cellCount()), 8);
 		for (std::size_t c = 0; c < grid.cellCount(); ++c)
 		{
-			const vp::grid::CellPoints points = grid.cellPoints(static_cast<vp::CellId>(c));
+			const grid::CellPoints points = grid.cellPoints(static_cast<CellId>(c));
 			std::array<vtkIdType, 8> ids;
 			for (int i = 0; i < points.size; ++i)
 				ids[static_cast<std::size_t>(i)] = points.id[static_cast<std::size_t>(i)];
@@ -92,15 +95,15 @@ private:
 		points->SetNumberOfPoints(static_cast<vtkIdType>(grid.pointCount()));
 		for (std::size_t p = 0; p < grid.pointCount(); ++p)
 		{
-			const auto id = static_cast<vp::PointId>(p);
-			const vp::Vec3 at = grid.point(id);
+			const auto id = static_cast<PointId>(p);
+			const Vec3 at = grid.point(id);
 			points->SetPoint(static_cast<vtkIdType>(grid.sourcePoint(id)), at.x, at.y, at.z);
 		}
 		return points;
 	}
 };
 
-vtkSmartPointer<vtkDataArray> arrayOf(const vp::grid::Field& field)
+vtkSmartPointer<vtkDataArray> arrayOf(const grid::Field& field)
 {
 	const int type = field.type == NumberType::float32   ? VTK_FLOAT
 	                 : field.type == NumberType::float64 ? VTK_DOUBLE
@@ -117,10 +120,10 @@ vtkSmartPointer<vtkDataArray> arrayOf(const vp::grid::Field& field)
 
 } // namespace
 
-void readDemo(const Request& request, ManifestWriter& manifest)
+void readDemo(const Request& request, manifest::Writer& manifest)
 {
 	const std::string name = request.file.substr(kDemoPrefix.size());
-	const vp::Result<vp::grid::BlockSet> set = vp::grid::parseDemo(name, false);
+	const Result<grid::BlockSet> set = grid::parseDemo(name, false);
 	if (!set)
 	{
 		std::string reason = set.error().message; // which begins with the input
@@ -128,14 +131,16 @@ void readDemo(const Request& request, ManifestWriter& manifest)
 			reason.erase(0, start.size());
 		throw Refusal(reason);
 	}
-	for (const vp::grid::Block& block : set->blocks)
+	for (const grid::Block& block : set->blocks)
 	{
 		const vtkSmartPointer<vtkDataSet> data = std::visit(DemoMaker(), block.grid);
-		for (const vp::grid::Field& field : block.fields)
-			if (field.association == vp::grid::Association::point)
+		for (const grid::Field& field : block.fields)
+			if (field.association == grid::Association::point)
 				data->GetPointData()->AddArray(arrayOf(field));
 			else
 				data->GetCellData()->AddArray(arrayOf(field));
 		manifest.add(data);
 	}
 }
+
+} // namespace vp::reader::formats

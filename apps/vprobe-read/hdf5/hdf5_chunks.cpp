@@ -12,6 +12,9 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+namespace vp::reader::hdf5
+{
+
 // HDF5 File Format Specification, version 3: IV.A (object headers), IV.A.2.i (layout), III.A.1 (version 1 B-trees).
 
 namespace
@@ -126,7 +129,7 @@ class ChunkTree
 public:
 	ChunkTree(const FileBytes& file, std::size_t rank) : file_(file), rank_(rank), key_bytes_(8 + 8 * (rank + 1)) {}
 
-	std::vector<Hdf5Chunk> chunks(std::uint64_t root)
+	std::vector<Chunk> chunks(std::uint64_t root)
 	{
 		visit(root, -1);
 		return std::move(found_);
@@ -153,7 +156,7 @@ private:
 				visit(child, here - 1);
 				continue;
 			}
-			Hdf5Chunk chunk;
+			Chunk chunk;
 			chunk.bytes = file_.number<std::uint32_t>(key);
 			chunk.left_out_filters = file_.number<std::uint32_t>(key + 4);
 			for (std::size_t side = 0; side < rank_; ++side)
@@ -168,7 +171,7 @@ private:
 	std::size_t rank_;
 	std::uint64_t key_bytes_;
 	std::set<std::uint64_t> visited_;
-	std::vector<Hdf5Chunk> found_;
+	std::vector<Chunk> found_;
 };
 
 // Returns where the object's header lies, or nothing where HDF5 does not say it.
@@ -190,10 +193,10 @@ std::optional<std::uint64_t> headerOf(hid_t set)
 
 } // namespace
 
-std::optional<std::vector<Hdf5Chunk>> chunksOf(hid_t set, const std::string& file)
+std::optional<std::vector<Chunk>> chunksOf(hid_t set, const std::string& file)
 {
-	const Hdf5Handle opened(H5Iget_file_id(set), H5Fclose);
-	const Hdf5Handle properties(opened < 0 ? -1 : H5Fget_create_plist(opened), H5Pclose);
+	const Handle opened(H5Iget_file_id(set), H5Fclose);
+	const Handle properties(opened < 0 ? -1 : H5Fget_create_plist(opened), H5Pclose);
 	std::size_t offset_bytes = 0;
 	std::size_t length_bytes = 0;
 	hsize_t base = 0;
@@ -217,6 +220,8 @@ std::optional<std::vector<Hdf5Chunk>> chunksOf(hid_t set, const std::string& fil
 		throw damaged("its chunks have too many sides");
 	const auto root = bytes.number<std::uint64_t>(*layout + 3);
 	if (root == HADDR_UNDEF)
-		return std::vector<Hdf5Chunk>();
+		return std::vector<Chunk>();
 	return ChunkTree(bytes, sides - 1).chunks(root);
 }
+
+} // namespace vp::reader::hdf5

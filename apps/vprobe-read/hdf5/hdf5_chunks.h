@@ -7,8 +7,11 @@
 
 #include <hdf5.h>
 
+namespace vp::reader::hdf5
+{
+
 // A chunk of a data set as it lies in the file.
-struct Hdf5Chunk
+struct Chunk
 {
 	std::vector<std::uint64_t> first; // its first value along each side of the set
 	std::uint64_t offset = 0;         // in the file
@@ -21,4 +24,6 @@ struct Hdf5Chunk
 // ones.
 //
 // HDF5 1.10 cannot list them: H5Dget_chunk_info() walks all chunks to find each one.
-std::optional<std::vector<Hdf5Chunk>> chunksOf(hid_t set, const std::string& file);
+std::optional<std::vector<Chunk>> chunksOf(hid_t set, const std::string& file);
+
+} // namespace vp::reader::hdf5

@@ -8,6 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
+namespace vp::reader::hdf5
+{
+
 namespace
 {
 
@@ -24,7 +27,7 @@ Refusal unreadAttribute(const std::string& object, const char* attribute)
 
 } // namespace
 
-Hdf5File::Hdf5File(const std::string& file) : name_(file)
+File::File(const std::string& file) : name_(file)
 {
 	H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // it would print its own stack of errors
 	H5PLset_loading_state(0);                    // a file does not choose code to load
@@ -33,25 +36,25 @@ Hdf5File::Hdf5File(const std::string& file) : name_(file)
 		throw damaged("HDF5 cannot open it");
 }
 
-Hdf5File::~Hdf5File()
+File::~File()
 {
 	H5Fclose(file_);
 }
 
-bool Hdf5File::hasLink(const std::string& path) const
+bool File::hasLink(const std::string& path) const
 {
 	const htri_t there = H5Lexists(file_, path.c_str(), H5P_DEFAULT);
 	if (there >= 0)
 		return there > 0;
 	// HDF5 would look into a data set as well, so the parent must be a group.
 	const std::string group = path.substr(0, path.rfind('/'));
-	const Hdf5Handle opened(H5Oopen(file_, group.empty() ? "/" : group.c_str(), H5P_DEFAULT), H5Oclose);
+	const Handle opened(H5Oopen(file_, group.empty() ? "/" : group.c_str(), H5P_DEFAULT), H5Oclose);
 	if (opened < 0 || H5Iget_type(opened) == H5I_GROUP)
 		throw damaged(fmt::format("what {} holds cannot be listed", group.empty() ? "its root" : group));
 	return false;
 }
 
-bool Hdf5File::has(const std::string& path) const
+bool File::has(const std::string& path) const
 {
 	if (path == "/")
 		return true;
@@ -61,28 +64,28 @@ bool Hdf5File::has(const std::string& path) const
 	return hasLink(path);
 }
 
-bool Hdf5File::isSet(const std::string& path) const
+bool File::isSet(const std::string& path) const
 {
 	// H5Oget_info_by_name() differs between versions of HDF5, so it is not used.
 	if (!has(path))
 		return false;
-	const Hdf5Handle opened(H5Oopen(file_, path.c_str(), H5P_DEFAULT), H5Oclose);
+	const Handle opened(H5Oopen(file_, path.c_str(), H5P_DEFAULT), H5Oclose);
 	if (opened < 0)
 		throw Refusal(fmt::format("its {} cannot be opened; keep the files that it names together", path));
 	return H5Iget_type(opened) == H5I_DATASET;
 }
 
-bool Hdf5File::leadsNowhere(const std::string& path) const
+bool File::leadsNowhere(const std::string& path) const
 {
-	return has(path) && Hdf5Handle(H5Oopen(file_, path.c_str(), H5P_DEFAULT), H5Oclose) < 0;
+	return has(path) && Handle(H5Oopen(file_, path.c_str(), H5P_DEFAULT), H5Oclose) < 0;
 }
 
-std::vector<std::string> Hdf5File::namesIn(const std::string& group) const
+std::vector<std::string> File::namesIn(const std::string& group) const
 {
 	std::vector<std::string> names;
 	if (!has(group) || isSet(group))
 		return names;
-	const Hdf5Handle opened(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), H5Gclose);
+	const Handle opened(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), H5Gclose);
 	if (opened < 0)
 		throw damaged(fmt::format("{} cannot be listed", group));
 	if (H5Literate(opened, H5_INDEX_NAME, H5_ITER_INC, nullptr, addName, &names) < 0)
@@ -90,10 +93,10 @@ std::vector<std::string> Hdf5File::namesIn(const std::string& group) const
 	return names;
 }
 
-std::vector<std::uint64_t> Hdf5File::sidesOf(const std::string& path) const
+std::vector<std::uint64_t> File::sidesOf(const std::string& path) const
 {
-	const Hdf5Handle set(has(path) ? H5Dopen2(file_, path.c_str(), H5P_DEFAULT) : -1, H5Dclose);
-	const Hdf5Handle space(set < 0 ? -1 : H5Dget_space(set), H5Sclose);
+	const Handle set(has(path) ? H5Dopen2(file_, path.c_str(), H5P_DEFAULT) : -1, H5Dclose);
+	const Handle space(set < 0 ? -1 : H5Dget_space(set), H5Sclose);
 	const int rank = space < 0 ? -1 : H5Sget_simple_extent_ndims(space);
 	if (rank < 0)
 		throw damaged(fmt::format("{} is not there", path));
@@ -103,14 +106,14 @@ std::vector<std::uint64_t> Hdf5File::sidesOf(const std::string& path) const
 }
 
 template <class Number>
-std::vector<Number> Hdf5File::values(const std::string& path, hid_t type) const
+std::vector<Number> File::values(const std::string& path, hid_t type) const
 {
 	std::uint64_t count = 1;
 	for (const std::uint64_t side : sidesOf(path))
 		if (__builtin_mul_overflow(count, side, &count) || count > std::uint64_t(1) << 40)
 			throw damaged(fmt::format("{} has more values than there can be", path));
-	const Hdf5Handle set = openedSet(file_, path);
-	const Hdf5Handle given(H5Dget_type(set), H5Tclose);
+	const Handle set = openedSet(file_, path);
+	const Handle given(H5Dget_type(set), H5Tclose);
 	const H5T_class_t kind = H5Tget_class(given);
 	if (kind != H5T_INTEGER && kind != H5T_FLOAT)
 		throw damaged(fmt::format("{} holds no numbers", path));
@@ -125,27 +128,27 @@ std::vector<Number> Hdf5File::values(const std::string& path, hid_t type) const
 	return numbers;
 }
 
-std::vector<double> Hdf5File::reals(const std::string& path) const
+std::vector<double> File::reals(const std::string& path) const
 {
 	return values<double>(path, H5T_NATIVE_DOUBLE);
 }
 
-std::vector<std::int64_t> Hdf5File::integers(const std::string& path) const
+std::vector<std::int64_t> File::integers(const std::string& path) const
 {
 	return values<std::int64_t>(path, H5T_NATIVE_INT64);
 }
 
-bool Hdf5File::isFloat(const std::string& path) const
+bool File::isFloat(const std::string& path) const
 {
-	const Hdf5Handle set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose);
-	const Hdf5Handle type(set < 0 ? -1 : H5Dget_type(set), H5Tclose);
+	const Handle set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose);
+	const Handle type(set < 0 ? -1 : H5Dget_type(set), H5Tclose);
 	return type >= 0 && H5Tget_class(type) == H5T_FLOAT;
 }
 
-std::array<double, 2> Hdf5File::limitsOfType(const std::string& path) const
+std::array<double, 2> File::limitsOfType(const std::string& path) const
 {
-	const Hdf5Handle set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose);
-	const Hdf5Handle type(set < 0 ? -1 : H5Dget_type(set), H5Tclose);
+	const Handle set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose);
+	const Handle type(set < 0 ? -1 : H5Dget_type(set), H5Tclose);
 	if (type < 0 || H5Tget_class(type) != H5T_INTEGER)
 		return {0.0, 0.0};
 	const int bits = static_cast<int>(8 * H5Tget_size(type));
@@ -155,7 +158,7 @@ std::array<double, 2> Hdf5File::limitsOfType(const std::string& path) const
 }
 
 // An attribute that exists must be readable: a default in its place would not be what the file means.
-bool Hdf5File::hasAttribute(const std::string& object, const char* attribute) const
+bool File::hasAttribute(const std::string& object, const char* attribute) const
 {
 	const htri_t there = has(object) ? H5Aexists_by_name(file_, object.c_str(), attribute, H5P_DEFAULT) : 0;
 	if (there < 0)
@@ -163,13 +166,13 @@ bool Hdf5File::hasAttribute(const std::string& object, const char* attribute) co
 	return there > 0;
 }
 
-std::vector<double> Hdf5File::realsOr(const std::string& object, const char* attribute) const
+std::vector<double> File::realsOr(const std::string& object, const char* attribute) const
 {
 	if (!hasAttribute(object, attribute))
 		return {};
-	const Hdf5Handle opened(H5Aopen_by_name(file_, object.c_str(), attribute, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-	const Hdf5Handle type(opened < 0 ? -1 : H5Aget_type(opened), H5Tclose);
-	const Hdf5Handle space(opened < 0 ? -1 : H5Aget_space(opened), H5Sclose);
+	const Handle opened(H5Aopen_by_name(file_, object.c_str(), attribute, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+	const Handle type(opened < 0 ? -1 : H5Aget_type(opened), H5Tclose);
+	const Handle space(opened < 0 ? -1 : H5Aget_space(opened), H5Sclose);
 	const hssize_t count = space < 0 ? -1 : H5Sget_simple_extent_npoints(space);
 	if (type < 0 || count < 0)
 		throw unreadAttribute(object, attribute);
@@ -182,23 +185,23 @@ std::vector<double> Hdf5File::realsOr(const std::string& object, const char* att
 	return numbers;
 }
 
-double Hdf5File::realOr(const std::string& object, const char* attribute, double otherwise) const
+double File::realOr(const std::string& object, const char* attribute, double otherwise) const
 {
 	const std::vector<double> numbers = realsOr(object, attribute);
 	return numbers.empty() ? otherwise : numbers[0];
 }
 
-std::string Hdf5File::textOr(const std::string& object, const char* attribute) const
+std::string File::textOr(const std::string& object, const char* attribute) const
 {
 	if (!hasAttribute(object, attribute))
 		return {};
-	const Hdf5Handle opened(H5Aopen_by_name(file_, object.c_str(), attribute, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-	const Hdf5Handle type(opened < 0 ? -1 : H5Aget_type(opened), H5Tclose);
+	const Handle opened(H5Aopen_by_name(file_, object.c_str(), attribute, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+	const Handle type(opened < 0 ? -1 : H5Aget_type(opened), H5Tclose);
 	if (type < 0)
 		throw unreadAttribute(object, attribute);
 	if (H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) > 0)
 	{
-		const Hdf5Handle space(H5Aget_space(opened), H5Sclose);
+		const Handle space(H5Aget_space(opened), H5Sclose);
 		char* elsewhere = nullptr;
 		if (H5Sget_simple_extent_npoints(space) != 1)
 			return {};
@@ -221,3 +224,5 @@ std::string Hdf5File::textOr(const std::string& object, const char* attribute) c
 	text.resize(std::min(text.find('\0'), text.size()));
 	return text;
 }
+
+} // namespace vp::reader::hdf5

@@ -12,15 +12,18 @@
 
 #include <hdf5.h>
 
+namespace vp::reader::hdf5
+{
+
 // Reads an HDF5 file by paths. Throws a Refusal if something does not exist or cannot be read. The "Or" functions
 // return a default instead if it does not exist.
-class Hdf5File
+class File
 {
 public:
-	explicit Hdf5File(const std::string& file);
-	~Hdf5File();
-	Hdf5File(const Hdf5File&) = delete;
-	Hdf5File& operator=(const Hdf5File&) = delete;
+	explicit File(const std::string& file);
+	~File();
+	File(const File&) = delete;
+	File& operator=(const File&) = delete;
 
 	bool has(const std::string& path) const;
 	bool isSet(const std::string& path) const;        // and no group
@@ -43,17 +46,17 @@ public:
 	double columnOr(const std::string& path, const char* column, double otherwise) const;
 
 	// Returns the type of a data set's numbers in memory, or nothing if they are not numbers.
-	std::optional<vp::grid::NumberType> numberType(const std::string& path) const;
+	std::optional<grid::NumberType> numberType(const std::string& path) const;
 	// Reads a part of a data set, given by its beginning and its length along each side. Checks both. `to` must have
 	// room.
 	void readSlab(const std::string& path, const std::vector<std::uint64_t>& begin,
-	              const std::vector<std::uint64_t>& count, vp::grid::NumberType type, void* to) const;
+	              const std::vector<std::uint64_t>& count, grid::NumberType type, void* to) const;
 	// Returns `count` integers of a list, from `begin` on.
 	std::vector<std::int64_t> integersFrom(const std::string& path, std::uint64_t begin, std::uint64_t count) const;
 
 	// Returns where the values of an image lie in the file (hdf5_stored.h), or nothing if they cannot stay there.
-	std::optional<StoredPlace> storedPlace(const std::string& path, const ValueLayout& layout,
-	                                       const std::vector<std::uint64_t>& front) const;
+	std::optional<arrays::StoredPlace> storedPlace(const std::string& path, const arrays::ValueLayout& layout,
+	                                               const std::vector<std::uint64_t>& front) const;
 
 	bool isFloat(const std::string& path) const;
 	// Returns the least and the greatest number that a data set of integers can hold.
@@ -72,3 +75,5 @@ private:
 	std::string name_;
 	hid_t file_;
 };
+
+} // namespace vp::reader::hdf5

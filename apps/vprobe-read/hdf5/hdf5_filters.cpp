@@ -15,6 +15,9 @@
 #include <lz4.h>
 #include <zstd.h>
 
+namespace vp::reader::hdf5
+{
+
 namespace
 {
 
@@ -111,9 +114,9 @@ bool checkFletcher(PackedBytes packed, UnpackedBytes to)
 
 } // namespace
 
-std::optional<Hdf5Filters> Hdf5Filters::of(hid_t properties)
+std::optional<Filters> Filters::of(hid_t properties)
 {
-	Hdf5Filters filters;
+	Filters filters;
 	const int count = H5Pget_nfilters(properties);
 	for (int i = 0; i < count; ++i)
 	{
@@ -134,7 +137,7 @@ std::optional<Hdf5Filters> Hdf5Filters::of(hid_t properties)
 	return count < 0 ? std::nullopt : std::optional(std::move(filters));
 }
 
-Hdf5Filters::Hdf5Filters(const std::string& text)
+Filters::Filters(const std::string& text)
 {
 	std::istringstream words(text);
 	for (std::string word; words >> word;)
@@ -149,7 +152,7 @@ Hdf5Filters::Hdf5Filters(const std::string& text)
 	}
 }
 
-std::string Hdf5Filters::text() const
+std::string Filters::text() const
 {
 	std::string text;
 	for (const Step& step : steps_)
@@ -158,7 +161,7 @@ std::string Hdf5Filters::text() const
 	return text;
 }
 
-void Hdf5Filters::unpack(PackedBytes packed, std::uint32_t left_out, UnpackedBytes to) const
+void Filters::unpack(PackedBytes packed, std::uint32_t left_out, UnpackedBytes to) const
 {
 	const auto isUsed = [&](std::size_t i) { return (left_out >> i & 1) == 0; };
 	// How many bytes a step was given; 0 if a step before it has packed them.
@@ -188,17 +191,19 @@ void Hdf5Filters::unpack(PackedBytes packed, std::uint32_t left_out, UnpackedByt
 	std::ranges::copy(before, to.begin());
 }
 
-bool Hdf5Filters::undo(const Step& step, PackedBytes packed, UnpackedBytes to)
+bool Filters::undo(const Step& step, PackedBytes packed, UnpackedBytes to)
 {
 	if (step.name == "shuffle")
-		return unshuffle(packed, to, step.width);
+		return arrays::unshuffle(packed, to, step.width);
 	if (step.name == "fletcher32")
 		return checkFletcher(packed, to);
 	if (step.name == "deflate")
-		return inflateZlib(packed, to);
+		return arrays::inflateZlib(packed, to);
 	if (step.name == "blosc")
-		return unpackBlosc(packed, to);
+		return arrays::unpackBlosc(packed, to);
 	if (step.name == "lz4")
 		return unpackLz4Into(packed, to);
 	return ZSTD_decompress(to.data(), to.size(), packed.data(), packed.size()) == to.size();
 }
+
+} // namespace vp::reader::hdf5

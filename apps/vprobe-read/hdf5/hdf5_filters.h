@@ -9,15 +9,18 @@
 
 #include <hdf5.h>
 
+namespace vp::reader::hdf5
+{
+
 // The filters that packed the chunks of a data set, undone without HDF5: it would do one chunk at a time, and knows
 // fewer of them.
-class Hdf5Filters
+class Filters
 {
 public:
 	// Returns nothing for a filter that is not known here. properties: of the data set's creation.
-	static std::optional<Hdf5Filters> of(hid_t properties);
+	static std::optional<Filters> of(hid_t properties);
 	// Reads what text() has written. Throws a Refusal.
-	explicit Hdf5Filters(const std::string& text);
+	explicit Filters(const std::string& text);
 
 	bool isEmpty() const { return steps_.empty(); }
 	// "shuffle:4 deflate", in the order in which they were done.
@@ -32,8 +35,10 @@ private:
 		std::string name;
 		std::size_t width = 0; // bytes of an element that is shuffled
 	};
-	Hdf5Filters() = default;
+	Filters() = default;
 	static bool undo(const Step& step, std::span<const std::byte> packed, std::span<std::byte> to);
 
 	std::vector<Step> steps_;
 };
+
+} // namespace vp::reader::hdf5

@@ -4,18 +4,21 @@
 
 #include <hdf5.h>
 
+namespace vp::reader::hdf5
+{
+
 // Closes what HDF5 has opened. The handle is less than 0 if HDF5 could not open it.
-class Hdf5Handle
+class Handle
 {
 public:
-	Hdf5Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
-	~Hdf5Handle()
+	Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
+	~Handle()
 	{
 		if (id_ >= 0)
 			close_(id_);
 	}
-	Hdf5Handle(const Hdf5Handle&) = delete;
-	Hdf5Handle& operator=(const Hdf5Handle&) = delete;
+	Handle(const Handle&) = delete;
+	Handle& operator=(const Handle&) = delete;
 	operator hid_t() const { return id_; }
 
 private:
@@ -24,9 +27,9 @@ private:
 };
 
 // Returns the type in which HDF5 delivers numbers on this machine.
-inline hid_t nativeType(vp::grid::NumberType type)
+inline hid_t nativeType(grid::NumberType type)
 {
-	using vp::grid::NumberType;
+	using grid::NumberType;
 	switch (type)
 	{
 	case NumberType::int8:
@@ -51,3 +54,5 @@ inline hid_t nativeType(vp::grid::NumberType type)
 		return H5T_NATIVE_DOUBLE;
 	}
 }
+
+} // namespace vp::reader::hdf5

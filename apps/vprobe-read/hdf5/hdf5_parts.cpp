@@ -12,6 +12,9 @@
 #include <set>
 #include <vector>
 
+namespace vp::reader::hdf5
+{
+
 namespace
 {
 
@@ -54,8 +57,8 @@ void refuseShortExternal(hid_t set, hid_t properties, const std::string& path)
 	const int count = H5Pget_external_count(properties);
 	if (count <= 0)
 		return;
-	const Hdf5Handle type(H5Dget_type(set), H5Tclose);
-	const Hdf5Handle space(H5Dget_space(set), H5Sclose);
+	const Handle type(H5Dget_type(set), H5Tclose);
+	const Handle space(H5Dget_space(set), H5Sclose);
 	const hssize_t values = H5Sget_simple_extent_npoints(space);
 	auto left = static_cast<hsize_t>(std::max<hssize_t>(values, 0)) * H5Tget_size(type);
 	for (int i = 0; i < count; ++i)
@@ -101,8 +104,8 @@ bool lookAtSource(hid_t set, const std::string& name, const std::string& path, S
 {
 	constexpr std::size_t kMaxChain = 16;
 	const auto file = name == "." ? fileOf(set) : foundFile(name, set);
-	const Hdf5Handle opened(file ? H5Fopen(file->c_str(), H5F_ACC_RDONLY, H5P_DEFAULT) : -1, H5Fclose);
-	const Hdf5Handle there(opened < 0 ? -1 : H5Dopen2(opened, path.c_str(), H5P_DEFAULT), H5Dclose);
+	const Handle opened(file ? H5Fopen(file->c_str(), H5F_ACC_RDONLY, H5P_DEFAULT) : -1, H5Fclose);
+	const Handle there(opened < 0 ? -1 : H5Dopen2(opened, path.c_str(), H5P_DEFAULT), H5Dclose);
 	if (there < 0)
 		return false;
 	std::error_code ignored;
@@ -168,7 +171,7 @@ void refuseMissingSources(hid_t set, hid_t properties, const std::string& path, 
 
 void refuseMissingParts(hid_t set, const std::string& path, SourceSearch& search)
 {
-	const Hdf5Handle properties(H5Dget_create_plist(set), H5Pclose);
+	const Handle properties(H5Dget_create_plist(set), H5Pclose);
 	if (properties < 0)
 		throw damaged(fmt::format("{} cannot be read", path));
 	refuseShortExternal(set, properties, path);
@@ -184,18 +187,18 @@ herr_t addPath(hid_t, const char* name, const H5L_info_t*, void* paths)
 
 } // namespace
 
-Hdf5Handle openedSet(hid_t file, const std::string& path)
+Handle openedSet(hid_t file, const std::string& path)
 {
 	{
-		const Hdf5Handle plain(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose);
-		const Hdf5Handle properties(plain < 0 ? -1 : H5Dget_create_plist(plain), H5Pclose);
+		const Handle plain(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose);
+		const Handle properties(plain < 0 ? -1 : H5Dget_create_plist(plain), H5Pclose);
 		off_t offset = 0;
 		hsize_t size = 0;
 		const bool is_elsewhere = properties >= 0 && H5Pget_external_count(properties) > 0;
 		if (!is_elsewhere || !isFile(fileOf(file).parent_path() / externalName(properties, 0, offset, size)))
 			return {H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose};
 	}
-	const Hdf5Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
+	const Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
 	H5Pset_efile_prefix(access, "${ORIGIN}");
 	return {H5Dopen2(file, path.c_str(), access), H5Dclose};
 }
@@ -211,13 +214,13 @@ void refuseMissingParts(const std::string& file)
 	H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // it would print its own stack of errors
 	if (H5Fis_hdf5(file.c_str()) <= 0)
 		return;
-	const Hdf5Handle opened(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+	const Handle opened(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
 	std::vector<std::string> paths;
 	if (opened < 0 || H5Lvisit(opened, H5_INDEX_NAME, H5_ITER_NATIVE, addPath, &paths) < 0)
 		throw damaged("its contents cannot be listed");
 	for (const std::string& path : paths)
 	{
-		const Hdf5Handle object(H5Oopen(opened, path.c_str(), H5P_DEFAULT), H5Oclose);
+		const Handle object(H5Oopen(opened, path.c_str(), H5P_DEFAULT), H5Oclose);
 		if (object < 0)
 			throw Refusal(fmt::format("its /{} cannot be opened; keep the files that it names together", path));
 		if (H5Iget_type(object) == H5I_DATASET)
@@ -227,7 +230,7 @@ void refuseMissingParts(const std::string& file)
 
 Refusal unreadSet(hid_t set, const std::string& path)
 {
-	const Hdf5Handle properties(H5Dget_create_plist(set), H5Pclose);
+	const Handle properties(H5Dget_create_plist(set), H5Pclose);
 	const int count = properties < 0 ? 0 : H5Pget_nfilters(properties);
 	for (int i = 0; i < count; ++i)
 	{
@@ -244,3 +247,5 @@ Refusal unreadSet(hid_t set, const std::string& path)
 	}
 	return damaged(fmt::format("{} cannot be read", path));
 }
+
+} // namespace vp::reader::hdf5

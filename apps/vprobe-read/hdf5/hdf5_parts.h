@@ -5,9 +5,12 @@
 
 #include <string>
 
+namespace vp::reader::hdf5
+{
+
 // Opens a data set. Looks for values that lie in other files beside this one first. The handle is less than 0 if HDF5
 // cannot open it.
-Hdf5Handle openedSet(hid_t file, const std::string& path);
+Handle openedSet(hid_t file, const std::string& path);
 
 // Throws a Refusal if values of a data set lie in another file that is missing or too short. HDF5 would return zeros
 // for them, without an error.
@@ -18,3 +21,5 @@ void refuseMissingParts(const std::string& file);
 
 // Returns why a data set could not be read: it is damaged, or packed by a filter that HDF5 does not have.
 Refusal unreadSet(hid_t set, const std::string& path);
+
+} // namespace vp::reader::hdf5

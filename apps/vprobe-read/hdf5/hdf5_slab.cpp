@@ -8,12 +8,15 @@
 
 #include <utility>
 
-using vp::grid::NumberType;
-
-std::optional<NumberType> Hdf5File::numberType(const std::string& path) const
+namespace vp::reader::hdf5
 {
-	const Hdf5Handle set(isSet(path) ? H5Dopen2(file_, path.c_str(), H5P_DEFAULT) : -1, H5Dclose);
-	const Hdf5Handle type(set < 0 ? -1 : H5Dget_type(set), H5Tclose);
+
+using grid::NumberType;
+
+std::optional<NumberType> File::numberType(const std::string& path) const
+{
+	const Handle set(isSet(path) ? H5Dopen2(file_, path.c_str(), H5P_DEFAULT) : -1, H5Dclose);
+	const Handle type(set < 0 ? -1 : H5Dget_type(set), H5Tclose);
 	const H5T_class_t kind = type < 0 ? H5T_NO_CLASS : H5Tget_class(type);
 	const std::size_t bytes = type < 0 ? 0 : H5Tget_size(type);
 	if (kind == H5T_FLOAT)
@@ -36,8 +39,8 @@ std::optional<NumberType> Hdf5File::numberType(const std::string& path) const
 	}
 }
 
-void Hdf5File::readSlab(const std::string& path, const std::vector<std::uint64_t>& begin,
-                        const std::vector<std::uint64_t>& count, NumberType type, void* to) const
+void File::readSlab(const std::string& path, const std::vector<std::uint64_t>& begin,
+                    const std::vector<std::uint64_t>& count, NumberType type, void* to) const
 {
 	const std::vector<std::uint64_t> sides = sidesOf(path);
 	bool is_empty = false;
@@ -51,7 +54,7 @@ void Hdf5File::readSlab(const std::string& path, const std::vector<std::uint64_t
 		throw damaged(fmt::format("{} has fewer values than are asked of it", path));
 	if (is_empty)
 		return;
-	const Hdf5Handle set = openedSet(file_, path);
+	const Handle set = openedSet(file_, path);
 	// A data set that was never written would read as zeros.
 	H5D_space_status_t written = H5D_SPACE_STATUS_ERROR;
 	if (H5Dget_space_status(set, &written) < 0 || written == H5D_SPACE_STATUS_NOT_ALLOCATED)
@@ -59,21 +62,20 @@ void Hdf5File::readSlab(const std::string& path, const std::vector<std::uint64_t
 	refuseMissingParts(set, path);
 	const std::vector<hsize_t> first(begin.begin(), begin.end());
 	const std::vector<hsize_t> length(count.begin(), count.end());
-	const Hdf5Handle there(H5Dget_space(set), H5Sclose);
-	const Hdf5Handle here(H5Screate_simple(static_cast<int>(length.size()), length.data(), nullptr), H5Sclose);
+	const Handle there(H5Dget_space(set), H5Sclose);
+	const Handle here(H5Screate_simple(static_cast<int>(length.size()), length.data(), nullptr), H5Sclose);
 	if (H5Sselect_hyperslab(there, H5S_SELECT_SET, first.data(), nullptr, length.data(), nullptr) < 0 ||
 	    H5Dread(set, nativeType(type), here, there, H5P_DEFAULT, to) < 0)
 		throw unreadSet(set, path);
 }
 
-std::optional<StoredPlace> Hdf5File::storedPlace(const std::string& path, const ValueLayout& layout,
-                                                 const std::vector<std::uint64_t>& front) const
+std::optional<arrays::StoredPlace> File::storedPlace(const std::string& path, const arrays::ValueLayout& layout,
+                                                     const std::vector<std::uint64_t>& front) const
 {
 	return storedPlaceOf(file_, name_, path, layout, front);
 }
 
-std::vector<std::int64_t> Hdf5File::integersFrom(const std::string& path, std::uint64_t begin,
-                                                 std::uint64_t count) const
+std::vector<std::int64_t> File::integersFrom(const std::string& path, std::uint64_t begin, std::uint64_t count) const
 {
 	const std::vector<std::uint64_t> sides = sidesOf(path);
 	if (sides.empty() || begin > sides[0] || count > sides[0] - begin) // before memory is taken
@@ -86,3 +88,5 @@ std::vector<std::int64_t> Hdf5File::integersFrom(const std::string& path, std::u
 	readSlab(path, first, length, NumberType::int64, numbers.data());
 	return numbers;
 }
+
+} // namespace vp::reader::hdf5

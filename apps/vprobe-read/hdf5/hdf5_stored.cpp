@@ -7,6 +7,9 @@
 
 #include <algorithm>
 
+namespace vp::reader::hdf5
+{
+
 namespace
 {
 
@@ -14,7 +17,7 @@ using Sides = std::vector<std::uint64_t>;
 
 Sides sidesOfSpace(hid_t set)
 {
-	const Hdf5Handle space(H5Dget_space(set), H5Sclose);
+	const Handle space(H5Dget_space(set), H5Sclose);
 	const int rank = space < 0 ? -1 : H5Sget_simple_extent_ndims(space);
 	std::vector<hsize_t> sides(static_cast<std::size_t>(std::max(rank, 0)));
 	if (rank > 0)
@@ -23,10 +26,10 @@ Sides sidesOfSpace(hid_t set)
 }
 
 // Whether the bytes of numbers are in the other order; nothing if they are not simply the numbers of a type in memory.
-std::optional<bool> swapsBytes(hid_t set, vp::grid::NumberType type)
+std::optional<bool> swapsBytes(hid_t set, grid::NumberType type)
 {
-	const Hdf5Handle given(H5Dget_type(set), H5Tclose);
-	const Hdf5Handle swapped(H5Tcopy(nativeType(type)), H5Tclose);
+	const Handle given(H5Dget_type(set), H5Tclose);
+	const Handle swapped(H5Tcopy(nativeType(type)), H5Tclose);
 	if (given < 0 || swapped < 0 || H5Tset_order(swapped, H5T_ORDER_BE) < 0)
 		return std::nullopt;
 	if (H5Tequal(given, nativeType(type)) > 0)
@@ -37,7 +40,7 @@ std::optional<bool> swapsBytes(hid_t set, vp::grid::NumberType type)
 // The bytes of an item that was never written, as the file would have them.
 std::string fillOf(hid_t set, hid_t properties, std::uint64_t components)
 {
-	const Hdf5Handle type(H5Dget_type(set), H5Tclose);
+	const Handle type(H5Dget_type(set), H5Tclose);
 	std::string number(H5Tget_size(type), '\0');
 	H5D_fill_value_t kind = H5D_FILL_VALUE_UNDEFINED;
 	if (H5Pfill_value_defined(properties, &kind) >= 0 && kind != H5D_FILL_VALUE_UNDEFINED)
@@ -50,12 +53,13 @@ std::string fillOf(hid_t set, hid_t properties, std::uint64_t components)
 
 } // namespace
 
-std::optional<StoredPlace> storedPlaceOf(hid_t file, const std::string& name_of_file, const std::string& path,
-                                         const ValueLayout& layout, const std::vector<std::uint64_t>& front)
+std::optional<arrays::StoredPlace> storedPlaceOf(hid_t file, const std::string& name_of_file, const std::string& path,
+                                                 const arrays::ValueLayout& layout,
+                                                 const std::vector<std::uint64_t>& front)
 {
-	const Hdf5Handle set = openedSet(file, path);
-	const Hdf5Handle properties(set < 0 ? -1 : H5Dget_create_plist(set), H5Pclose);
-	const std::optional<Hdf5Filters> filters = properties < 0 ? std::nullopt : Hdf5Filters::of(properties);
+	const Handle set = openedSet(file, path);
+	const Handle properties(set < 0 ? -1 : H5Dget_create_plist(set), H5Pclose);
+	const std::optional<Filters> filters = properties < 0 ? std::nullopt : Filters::of(properties);
 	if (!filters || H5Pget_external_count(properties) > 0)
 		return std::nullopt;
 	const std::optional<bool> swaps = swapsBytes(set, layout.type);
@@ -72,7 +76,7 @@ std::optional<StoredPlace> storedPlaceOf(hid_t file, const std::string& name_of_
 			return std::nullopt;
 	if (has_components && sides.back() != layout.components)
 		return std::nullopt;
-	ValueLayout bytes = layout;
+	arrays::ValueLayout bytes = layout;
 	bytes.is_big_endian = *swaps;
 	const H5D_layout_t kind = H5Pget_layout(properties);
 	const haddr_t begin = kind == H5D_CONTIGUOUS ? H5Dget_offset(set) : HADDR_UNDEF;
@@ -81,7 +85,7 @@ std::optional<StoredPlace> storedPlaceOf(hid_t file, const std::string& name_of_
 		std::uint64_t before = 0;
 		for (std::size_t i = 0; i < own; ++i)
 			before = before * sides[i] + front[i];
-		return storedRows(name_of_file, begin + before * layout.byteCount(), bytes);
+		return arrays::storedRows(name_of_file, begin + before * layout.byteCount(), bytes);
 	}
 	if (kind != H5D_CHUNKED)
 		return std::nullopt;
@@ -93,10 +97,10 @@ std::optional<StoredPlace> storedPlaceOf(hid_t file, const std::string& name_of_
 	const auto chunks = chunksOf(set, name_of_file);
 	if (!chunks || chunks->empty())
 		return std::nullopt;
-	StoredPlace place{.file = name_of_file,
-	                  .part = {chunk[own + 2], chunk[own + 1], chunk[own]},
-	                  .fill = fillOf(set, properties, layout.components),
-	                  .swaps = *swaps && byteSize(layout.type) > 1};
+	arrays::StoredPlace place{.file = name_of_file,
+	                          .part = {chunk[own + 2], chunk[own + 1], chunk[own]},
+	                          .fill = fillOf(set, properties, layout.components),
+	                          .swaps = *swaps && byteSize(layout.type) > 1};
 	std::array<std::uint64_t, 3> along;
 	for (std::size_t axis = 0; axis < 3; ++axis)
 		along[axis] = (layout.points[axis] + place.part[axis] - 1) / place.part[axis];
@@ -108,7 +112,7 @@ std::optional<StoredPlace> storedPlaceOf(hid_t file, const std::string& name_of_
 		place.sizes.assign(count, 0);
 		place.left_out.assign(count, 0);
 	}
-	for (const Hdf5Chunk& each : *chunks)
+	for (const Chunk& each : *chunks)
 	{
 		if (!std::equal(front.begin(), front.end(), each.first.begin()))
 			continue;
@@ -128,3 +132,5 @@ std::optional<StoredPlace> storedPlaceOf(hid_t file, const std::string& name_of_
 	}
 	return place;
 }
+
+} // namespace vp::reader::hdf5

@@ -8,6 +8,9 @@
 #include <algorithm>
 #include <cstring>
 
+namespace vp::reader::hdf5
+{
+
 namespace
 {
 
@@ -26,8 +29,8 @@ std::string withoutBlanks(const char* text, std::size_t bytes)
 // A data set that may be read as a whole, if it exists.
 struct Hdf5Rows
 {
-	Hdf5Handle set;
-	Hdf5Handle type;
+	Handle set;
+	Handle type;
 	std::size_t count = 0;
 
 	Hdf5Rows(hid_t file, const std::string& path, bool is_there)
@@ -36,7 +39,7 @@ struct Hdf5Rows
 	{
 		if (is_there && set < 0)
 			throw damaged(fmt::format("{} cannot be opened", path));
-		const Hdf5Handle space(set < 0 ? -1 : H5Dget_space(set), H5Sclose);
+		const Handle space(set < 0 ? -1 : H5Dget_space(set), H5Sclose);
 		const hssize_t points = space < 0 ? 0 : H5Sget_simple_extent_npoints(space);
 		if (points < 0 || points > kMaxRows || (type >= 0 && H5Tget_size(type) > kMaxBytesOfRow))
 			throw damaged(fmt::format("{} is larger than it can be", path));
@@ -55,7 +58,7 @@ struct Hdf5Rows
 };
 
 // Returns the type of the column if its values are texts of a fixed length, or numbers.
-Hdf5Handle columnType(const Hdf5Rows& rows, const char* name, bool is_text)
+Handle columnType(const Hdf5Rows& rows, const char* name, bool is_text)
 {
 	const int at = rows.column(name);
 	const hid_t type = at < 0 ? -1 : H5Tget_member_type(rows.type, static_cast<unsigned>(at));
@@ -71,11 +74,11 @@ Hdf5Handle columnType(const Hdf5Rows& rows, const char* name, bool is_text)
 template <class Use>
 void eachNamed(const Hdf5Rows& rows, const std::string& path, hid_t value_type, Use&& use)
 {
-	const Hdf5Handle name_type = columnType(rows, "name", true);
+	const Handle name_type = columnType(rows, "name", true);
 	if (name_type < 0)
 		return;
 	const std::size_t name_bytes = H5Tget_size(name_type), value_bytes = H5Tget_size(value_type);
-	const Hdf5Handle both(H5Tcreate(H5T_COMPOUND, name_bytes + value_bytes), H5Tclose);
+	const Handle both(H5Tcreate(H5T_COMPOUND, name_bytes + value_bytes), H5Tclose);
 	H5Tinsert(both, "name", 0, name_type);
 	H5Tinsert(both, "value", name_bytes, value_type);
 	const std::vector<char> bytes = rows.read(both, name_bytes + value_bytes, path);
@@ -88,7 +91,7 @@ void eachNamed(const Hdf5Rows& rows, const std::string& path, hid_t value_type, 
 
 } // namespace
 
-std::vector<std::string> Hdf5File::texts(const std::string& path) const
+std::vector<std::string> File::texts(const std::string& path) const
 {
 	const Hdf5Rows rows(file_, path, has(path));
 	std::vector<std::string> all;
@@ -110,7 +113,7 @@ std::vector<std::string> Hdf5File::texts(const std::string& path) const
 	return all;
 }
 
-std::map<std::string, double> Hdf5File::namedNumbers(const std::string& path) const
+std::map<std::string, double> File::namedNumbers(const std::string& path) const
 {
 	const Hdf5Rows rows(file_, path, has(path));
 	std::map<std::string, double> all;
@@ -120,11 +123,11 @@ std::map<std::string, double> Hdf5File::namedNumbers(const std::string& path) co
 	return all;
 }
 
-std::map<std::string, std::string> Hdf5File::namedTexts(const std::string& path) const
+std::map<std::string, std::string> File::namedTexts(const std::string& path) const
 {
 	const Hdf5Rows rows(file_, path, has(path));
 	std::map<std::string, std::string> all;
-	const Hdf5Handle type = columnType(rows, "value", true);
+	const Handle type = columnType(rows, "value", true);
 	if (type >= 0)
 		eachNamed(rows, path, type,
 		          [&](std::string name, const char* at)
@@ -132,15 +135,17 @@ std::map<std::string, std::string> Hdf5File::namedTexts(const std::string& path)
 	return all;
 }
 
-double Hdf5File::columnOr(const std::string& path, const char* column, double otherwise) const
+double File::columnOr(const std::string& path, const char* column, double otherwise) const
 {
 	const Hdf5Rows rows(file_, path, has(path));
 	if (rows.count == 0 || columnType(rows, column, false) < 0)
 		return otherwise;
-	const Hdf5Handle one(H5Tcreate(H5T_COMPOUND, sizeof(double)), H5Tclose);
+	const Handle one(H5Tcreate(H5T_COMPOUND, sizeof(double)), H5Tclose);
 	H5Tinsert(one, column, 0, H5T_NATIVE_DOUBLE);
 	const std::vector<char> bytes = rows.read(one, sizeof(double), path);
 	double number = 0.0;
 	std::memcpy(&number, bytes.data(), sizeof number);
 	return number;
 }
+
+} // namespace vp::reader::hdf5

@@ -13,6 +13,9 @@
 #include <utility>
 #include <vector>
 
+namespace vp::reader::hdf5
+{
+
 // Reads a netCDF file with the library. Throws a Refusal if a call fails.
 class NetcdfFile
 {
@@ -36,7 +39,10 @@ public:
 	}
 	// Returns where the values of a lattice lie that are the last three dimensions of a variable, at these indices of
 	// the others. Returns nothing if they cannot stay there.
-	virtual std::optional<StoredPlace> storedPlace(int, const std::vector<std::size_t>&) const { return std::nullopt; }
+	virtual std::optional<arrays::StoredPlace> storedPlace(int, const std::vector<std::size_t>&) const
+	{
+		return std::nullopt;
+	}
 	// Returns true if values that nobody wrote have the type's own fill value.
 	virtual bool marksUnwritten() const { return true; }
 	// Returns the length of a dimension, or 0 if there is none.
@@ -157,3 +163,5 @@ private:
 
 	int id_ = -1;
 };
+
+} // namespace vp::reader::hdf5

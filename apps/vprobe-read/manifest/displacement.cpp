@@ -23,6 +23,9 @@
 #include <string_view>
 #include <vector>
 
+namespace vp::reader::manifest
+{
+
 namespace
 {
 
@@ -231,3 +234,5 @@ std::string Displacement::note() const
 		    fmt::join(candidates_, ", "));
 	return {};
 }
+
+} // namespace vp::reader::manifest

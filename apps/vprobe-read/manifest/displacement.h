@@ -11,6 +11,9 @@ class vtkDataArray;
 class vtkDataSet;
 class vtkPointSet;
 
+namespace vp::reader::manifest
+{
+
 // Moves the points of data sets by an array of theirs: the one that is named, or one whose name says that it holds
 // displacements.
 class Displacement
@@ -60,3 +63,5 @@ private:
 	std::set<std::string> candidates_; // whose names say that they hold displacements
 	std::map<std::array<double, 3>, std::array<double, 3>> places_;
 };
+
+} // namespace vp::reader::manifest

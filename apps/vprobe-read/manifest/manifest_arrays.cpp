@@ -18,8 +18,11 @@
 #include <optional>
 #include <string_view>
 
+namespace vp::reader::manifest
+{
+
+using grid::NumberType;
 using nlohmann::json;
-using vp::grid::NumberType;
 
 namespace
 {
@@ -82,13 +85,13 @@ json describeLeftOut(const char* association, const std::string& name, NumberTyp
 {
 	return {{"name", name},
 	        {"association", association},
-	        {"type", vp::grid::numberTypeName(type)},
+	        {"type", grid::numberTypeName(type)},
 	        {"components", components},
 	        {"left_out", true}};
 }
 
 // Returns the data set without the arrays that nobody asked for. Describes these in `left_out`.
-vtkSmartPointer<vtkDataSet> ManifestWriter::withWishedArrays(vtkDataSet* given, json& left_out) const
+vtkSmartPointer<vtkDataSet> Writer::withWishedArrays(vtkDataSet* given, json& left_out) const
 {
 	const auto data = vtkSmartPointer<vtkDataSet>::Take(given->NewInstance());
 	data->ShallowCopy(given);
@@ -125,7 +128,7 @@ vtkSmartPointer<vtkDataSet> ManifestWriter::withWishedArrays(vtkDataSet* given, 
 	return data;
 }
 
-json ManifestWriter::describeArrays(vtkDataSet* points, vtkDataSet* cells)
+json Writer::describeArrays(vtkDataSet* points, vtkDataSet* cells)
 {
 	json arrays = json::array();
 	const auto warnAboutText = [&](const char* association, vtkAbstractArray* array)
@@ -151,8 +154,9 @@ json ManifestWriter::describeArrays(vtkDataSet* points, vtkDataSet* cells)
 				                          array->GetNumberOfTuples(), tuples, association));
 			const std::size_t bytes = static_cast<std::size_t>(array->GetNumberOfValues()) * byteSize(*type);
 			json described;
-			if (const StoredPlace* place = storedPlaceOf(array))
-				described = {{"type", vp::grid::numberTypeName(*type)}, {"stored", describeStored(*place, writer_)}};
+			if (const arrays::StoredPlace* place = arrays::storedPlaceOf(array))
+				described = {{"type", grid::numberTypeName(*type)},
+				             {"stored", arrays::describeStored(*place, writer_)}};
 			else
 				described = writer_.write(*type, array->GetVoidPointer(0), bytes);
 			described["name"] = name;
@@ -167,3 +171,5 @@ json ManifestWriter::describeArrays(vtkDataSet* points, vtkDataSet* cells)
 	describeAll(cells->GetCellData(), "cell", cells->GetNumberOfCells());
 	return arrays;
 }
+
+} // namespace vp::reader::manifest

@@ -10,6 +10,9 @@
 
 #include <optional>
 
+namespace vp::reader::manifest
+{
+
 namespace
 {
 
@@ -20,7 +23,7 @@ const char* latticeOf(vtkDataSet* data, std::array<int, 3>& points)
 	if (auto* image = vtkImageData::SafeDownCast(data))
 	{
 		image->GetDimensions(points.data());
-		return isAxisAligned(image->GetDirectionMatrix()) ? "image" : nullptr;
+		return cells::isAxisAligned(image->GetDirectionMatrix()) ? "image" : nullptr;
 	}
 	if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(data))
 	{
@@ -49,7 +52,7 @@ std::array<int, 6> extentOf(vtkDataSet* lattice)
 
 } // namespace
 
-void ManifestWriter::addLone(vtkDataObject* object)
+void Writer::addLone(vtkDataObject* object)
 {
 	if (collected_)
 		return add(object);
@@ -61,11 +64,11 @@ void ManifestWriter::addLone(vtkDataObject* object)
 }
 
 // Returns false, without beginning a part, if the data set is not a lattice that can be split.
-bool ManifestWriter::addSlab(vtkDataSet* data)
+bool Writer::addSlab(vtkDataSet* data)
 {
 	std::array<int, 3> points = {0, 0, 0};
 	const char* kind = latticeOf(data, points);
-	if (!kind || points[0] < 2 || points[1] < 2 || points[2] < 3 || !hiddenCellsOf(data, points).empty())
+	if (!kind || points[0] < 2 || points[1] < 2 || points[2] < 3 || !cells::hiddenCellsOf(data, points).empty())
 		return false;
 	const auto count = [&](int axis) { return static_cast<std::size_t>(points[axis]); };
 	const std::optional<CellLayers> layers = parts_.beginLattice(
@@ -75,7 +78,7 @@ bool ManifestWriter::addSlab(vtkDataSet* data)
 	return true;
 }
 
-void ManifestWriter::addLayers(vtkDataObject* object, const CellLayers& layers)
+void Writer::addLayers(vtkDataObject* object, const CellLayers& layers)
 {
 	auto* read = vtkDataSet::SafeDownCast(object);
 	const vtkSmartPointer<vtkDataSet> whole = read ? displacement_.moved(read) : nullptr;
@@ -96,3 +99,5 @@ void ManifestWriter::addLayers(vtkDataObject* object, const CellLayers& layers)
 	else
 		add(slab);
 }
+
+} // namespace vp::reader::manifest

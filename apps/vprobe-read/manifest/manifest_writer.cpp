@@ -31,6 +31,9 @@
 #include <string_view>
 #include <utility>
 
+namespace vp::reader::manifest
+{
+
 using nlohmann::json;
 
 namespace
@@ -53,7 +56,7 @@ std::string nameOf(std::string_view patch)
 
 } // namespace
 
-void ManifestWriter::add(vtkDataObject* object)
+void Writer::add(vtkDataObject* object)
 {
 	if (auto* composite = vtkCompositeDataSet::SafeDownCast(object))
 	{
@@ -71,7 +74,7 @@ void ManifestWriter::add(vtkDataObject* object)
 		addDataSet("", vtkDataSet::SafeDownCast(object));
 }
 
-std::vector<vtkSmartPointer<vtkDataSet>> ManifestWriter::collect(const std::function<void()>& read)
+std::vector<vtkSmartPointer<vtkDataSet>> Writer::collect(const std::function<void()>& read)
 {
 	std::vector<vtkSmartPointer<vtkDataSet>> found;
 	PartFilter parts = std::exchange(parts_, {});
@@ -83,13 +86,13 @@ std::vector<vtkSmartPointer<vtkDataSet>> ManifestWriter::collect(const std::func
 }
 
 // Files of one kind say the same of themselves.
-void ManifestWriter::warn(std::string line)
+void Writer::warn(std::string line)
 {
 	if (!collected_ || std::find(warnings_.begin(), warnings_.end(), line) == warnings_.end())
 		warnings_.push_back(std::move(line));
 }
 
-void ManifestWriter::addPatches(vtkDataObject* object)
+void Writer::addPatches(vtkDataObject* object)
 {
 	auto* composite = vtkCompositeDataSet::SafeDownCast(object);
 	if (!composite)
@@ -102,7 +105,7 @@ void ManifestWriter::addPatches(vtkDataObject* object)
 		    leaf->GetCurrentDataObject()->IsA("vtkPointSet")
 		        ? displacement_.movedPatch(vtkPointSet::SafeDownCast(leaf->GetCurrentDataObject()))
 		        : nullptr;
-		json patch = data ? describePolygons(cell_writer_, data) : json();
+		json patch = data ? cells::describePolygons(cell_writer_, data) : json();
 		if (patch.is_null())
 			continue;
 		const char* name =
@@ -112,7 +115,7 @@ void ManifestWriter::addPatches(vtkDataObject* object)
 	}
 }
 
-void ManifestWriter::addDataSet(const std::string& name, vtkDataSet* read)
+void Writer::addDataSet(const std::string& name, vtkDataSet* read)
 {
 	json left_out = std::exchange(left_out_, json::array());
 	if (read && collected_)
@@ -130,25 +133,26 @@ void ManifestWriter::addDataSet(const std::string& name, vtkDataSet* read)
 	vtkDataSet* data = wanted;
 	json block;
 	vtkDataSet* point_data = data;
-	std::optional<LinearCells> linear;
+	std::optional<cells::LinearCells> linear;
 	if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
 	{
 		const vtkIdType file_points = grid->GetNumberOfPoints();
-		const bool curved = vp::read::isTolerance(refine_) && keepsCurved(grid, refine_);
+		const bool curved = read::isTolerance(refine_) && cells::keepsCurved(grid, refine_);
 		if (!curved)
-			linear = linearize(grid, static_cast<int>(refine_));
+			linear = cells::linearize(grid, static_cast<int>(refine_));
 		if (linear)
 			point_data = grid = linear->grid;
-		json cells = writeCells(cell_writer_, grid, counts_, curved);
+		json cells = cells::writeCells(cell_writer_, grid, counts_, curved);
 		if (cells.is_null())
 			return;
 		if (linear)
 		{
-			cells["source_cells"] = writeInt64(cell_writer_, std::span<const std::int64_t>(linear->source_cells));
+			cells["source_cells"] =
+			    arrays::writeInt64(cell_writer_, std::span<const std::int64_t>(linear->source_cells));
 			cells["source_cell_count"] = data->GetNumberOfCells();
 			cells["source_point_count"] = file_points;
 		}
-		block = {{"kind", "unstructured"}, {"coordinates", writeCoordinates(cell_writer_, grid->GetPoints())}};
+		block = {{"kind", "unstructured"}, {"coordinates", cells::writeCoordinates(cell_writer_, grid->GetPoints())}};
 		block["cells"] = std::move(cells);
 	}
 	else if (!describeLattice(data, block))
@@ -161,7 +165,7 @@ void ManifestWriter::addDataSet(const std::string& name, vtkDataSet* read)
 		keep(name, wanted);
 }
 
-void ManifestWriter::addImageOf(vtkImageData* piece, const std::array<int, 3>& first)
+void Writer::addImageOf(vtkImageData* piece, const std::array<int, 3>& first)
 {
 	if (displacement_.isOn())
 		return add(piece);
@@ -172,7 +176,7 @@ void ManifestWriter::addImageOf(vtkImageData* piece, const std::array<int, 3>& f
 	if (piece->GetNumberOfCells() == 0 || !describeLattice(piece, block))
 		return;
 	if (block["kind"] == "image")
-		block = describeImageOf(writer_, piece, first);
+		block = cells::describeImageOf(writer_, piece, first);
 	block["arrays"] = describeArrays(wanted, wanted);
 	for (const json& array : left_out)
 		block["arrays"].push_back(array);
@@ -180,19 +184,19 @@ void ManifestWriter::addImageOf(vtkImageData* piece, const std::array<int, 3>& f
 }
 
 // Keeps a copy, since a reader may use its data set again for the next file.
-void ManifestWriter::keep(const std::string& name, vtkDataSet* data)
+void Writer::keep(const std::string& name, vtkDataSet* data)
 {
 	const auto copy = vtkSmartPointer<vtkDataSet>::Take(data->NewInstance());
 	copy->ShallowCopy(data);
 	kept_.push_back({fullName(name), copy});
 }
 
-std::string ManifestWriter::fullName(const std::string& name) const
+std::string Writer::fullName(const std::string& name) const
 {
 	return prefix_.empty() ? name : name.empty() ? prefix_ : prefix_ + "/" + name;
 }
 
-void ManifestWriter::addBlock(const std::string& name, json block)
+void Writer::addBlock(const std::string& name, json block)
 {
 	block["name"] = fullName(name);
 	if (parts_.filters())
@@ -200,12 +204,13 @@ void ManifestWriter::addBlock(const std::string& name, json block)
 	blocks_.push_back(std::move(block));
 }
 
-bool ManifestWriter::addQuickly(const std::string& file, int threads, const std::optional<CellLayers>& layers,
-                                std::uint64_t stays_above)
+bool Writer::addQuickly(const std::string& file, int threads, const std::optional<CellLayers>& layers,
+                        std::uint64_t stays_above)
 {
 	if (displacement_.isOn() || collected_)
 		return false;
-	std::optional<QuickBlock> quick = readQuickly(file, wish_, threads, writer_, cell_writer_, layers, stays_above);
+	std::optional<quick::Block> quick =
+	    quick::readQuickly(file, wish_, threads, writer_, cell_writer_, layers, stays_above);
 	if (!quick)
 		return false;
 	counts_.flat += quick->flat;
@@ -216,7 +221,7 @@ bool ManifestWriter::addQuickly(const std::string& file, int threads, const std:
 
 // Returns false if there is nothing to show: for flat lattices, for kinds of data sets that never hold
 // three-dimensional cells, and if all cells are hidden.
-bool ManifestWriter::describeLattice(vtkDataSet* data, json& block)
+bool Writer::describeLattice(vtkDataSet* data, json& block)
 {
 	std::array<int, 3> points = {0, 0, 0};
 	auto* image = vtkImageData::SafeDownCast(data);
@@ -234,28 +239,28 @@ bool ManifestWriter::describeLattice(vtkDataSet* data, json& block)
 		return false;
 	}
 
-	if (const std::vector<unsigned char> marks = hiddenCellsOf(data, points); !marks.empty())
+	if (const std::vector<unsigned char> marks = cells::hiddenCellsOf(data, points); !marks.empty())
 	{
 		const auto visible = static_cast<std::size_t>(std::count(marks.begin(), marks.end(), 0));
 		counts_.hidden += marks.size() - visible;
 		if (visible > 0)
-			block = describeVisible(cell_writer_, data, points, marks);
+			block = cells::describeVisible(cell_writer_, data, points, marks);
 		return visible > 0;
 	}
-	block = image         ? describeImage(writer_, image)
-	        : rectilinear ? describeRectilinear(writer_, rectilinear)
-	                      : describeCurvilinear(writer_, curvilinear);
+	block = image         ? cells::describeImage(writer_, image)
+	        : rectilinear ? cells::describeRectilinear(writer_, rectilinear)
+	                      : cells::describeCurvilinear(writer_, curvilinear);
 	return true;
 }
 
-void ManifestWriter::refuseOtherLevel(std::size_t level) const
+void Writer::refuseOtherLevel(std::size_t level) const
 {
 	if (level >= levels_)
 		throw Refusal(levels_ == 1 ? fmt::format("--level {}: it has one level; leave this out", level)
 		                           : fmt::format("--level {}: it has levels 0 to {}", level, levels_ - 1));
 }
 
-std::string ManifestWriter::finish()
+std::string Writer::finish()
 {
 	for (const auto& [type, cells] : counts_.not_sliced)
 		warnings_.push_back(fmt::format("{} cells of type {} are not shown", cells, typeName(type)));
@@ -280,9 +285,9 @@ std::string ManifestWriter::finish()
 	}
 	if (std::string note = displacement_.note(); !note.empty())
 		warn(std::move(note));
-	for (std::string& note : takeNotes())
+	for (std::string& note : checks::takeNotes())
 		warnings_.push_back(std::move(note));
-	json manifest = {{"version", vp::read::kProtocolVersion},
+	json manifest = {{"version", read::kProtocolVersion},
 	                 {"times", times_},
 	                 {"left_out", counts_.flat},
 	                 {"warnings", warnings_},
@@ -300,7 +305,7 @@ std::string ManifestWriter::finish()
 	}
 	if (!length_units_.empty())
 		manifest["length_units"] = length_units_;
-	if (imaging_ != vp::grid::Imaging{})
+	if (imaging_ != grid::Imaging{})
 	{
 		json& imaging = manifest["imaging"] = {
 		    {"orientation", imaging_.orientation}, {"gray", imaging_.gray}, {"labels", imaging_.labels}};
@@ -316,3 +321,5 @@ std::string ManifestWriter::finish()
 	// Names in files need not be UTF-8.
 	return manifest.dump(-1, ' ', false, json::error_handler_t::replace);
 }
+
+} // namespace vp::reader::manifest

@@ -22,17 +22,19 @@ class vtkDataObject;
 class vtkDataSet;
 class vtkImageData;
 
+namespace vp::reader::manifest
+{
+
 // Describes an array that is not handed over.
-nlohmann::json describeLeftOut(const char* association, const std::string& name, vp::grid::NumberType type,
-                               int components);
+nlohmann::json describeLeftOut(const char* association, const std::string& name, grid::NumberType type, int components);
 
 // Turns the data sets of a reader into blocks of the manifest, with their arrays.
-class ManifestWriter
+class Writer
 {
 public:
 	// `refine`: how many times the linear parts of curved cells are halved, or a tolerance. `keeps`: whether kept() is
 	// needed. `parts`: the parts to hand over.
-	ManifestWriter(double refine, ArrayWish wish, bool keeps, PartFilter parts = {})
+	Writer(double refine, ArrayWish wish, bool keeps, PartFilter parts = {})
 	    : refine_(refine), wish_(std::move(wish)), keeps_(keeps), parts_(std::move(parts))
 	{
 	}
@@ -66,7 +68,7 @@ public:
 	void setPrefix(std::string prefix) { prefix_ = std::move(prefix); }
 	void offerTimes(std::vector<double> times) { times_ = std::move(times); }
 	void setLengthUnits(std::string units) { length_units_ = std::move(units); }
-	void setImaging(vp::grid::Imaging imaging) { imaging_ = std::move(imaging); }
+	void setImaging(grid::Imaging imaging) { imaging_ = std::move(imaging); }
 	// Tells how many resolutions the file has.
 	void offerLevels(std::size_t levels) { levels_ = levels; }
 	// Throws a Refusal if the file has no such level.
@@ -77,7 +79,7 @@ public:
 
 	bool isEmpty() const { return blocks_.empty(); }
 	// Returns the data sets that became blocks.
-	const std::vector<KeptBlock>& kept() const { return kept_; }
+	const std::vector<convert::KeptBlock>& kept() const { return kept_; }
 
 	// Returns the manifest. Throws a Refusal if there is nothing to slice.
 	std::string finish();
@@ -96,22 +98,24 @@ private:
 	double refine_;
 	ArrayWish wish_;
 	bool keeps_;
-	std::vector<KeptBlock> kept_;
-	ArrayWriter writer_{vp::read::kArraysFd};
-	ArrayWriter cell_writer_{vp::read::kCellsFd};
+	std::vector<convert::KeptBlock> kept_;
+	arrays::Writer writer_{read::kArraysFd};
+	arrays::Writer cell_writer_{read::kCellsFd};
 	nlohmann::json blocks_ = nlohmann::json::array();
 	nlohmann::json patches_ = nlohmann::json::array();
 	std::vector<double> times_;
 	std::vector<std::string> warnings_;
 	std::string sandbox_;
 	std::string length_units_;
-	vp::grid::Imaging imaging_;
+	grid::Imaging imaging_;
 	std::string time_units_;
 	std::size_t levels_ = 1;
-	CellCounts counts_;
+	cells::CellCounts counts_;
 	nlohmann::json left_out_ = nlohmann::json::array();
 	std::string prefix_;
 	PartFilter parts_;
 	std::vector<vtkSmartPointer<vtkDataSet>>* collected_ = nullptr; // what is added goes there, if it is not null
 	Displacement displacement_;
 };
+
+} // namespace vp::reader::manifest

@@ -7,8 +7,10 @@
 
 #include <fmt/format.h>
 
-void addUnderOwnName(vtkDataSetAttributes* fields, vtkAbstractArray* array, const char* association,
-                     ManifestWriter& manifest)
+namespace vp::reader::manifest
+{
+
+void addUnderOwnName(vtkDataSetAttributes* fields, vtkAbstractArray* array, const char* association, Writer& manifest)
 {
 	const std::string given = array->GetName() ? array->GetName() : "";
 	std::string own = given;
@@ -22,3 +24,5 @@ void addUnderOwnName(vtkDataSetAttributes* fields, vtkAbstractArray* array, cons
 	array->SetName(own.c_str());
 	fields->AddArray(array);
 }
+
+} // namespace vp::reader::manifest

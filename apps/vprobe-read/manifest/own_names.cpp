@@ -9,11 +9,13 @@
 #include <functional>
 #include <set>
 
+namespace vp::reader::manifest
+{
+
 namespace
 {
 
-std::string freeName(const std::string& name, const std::function<bool(const std::string&)>& is_taken,
-                     ManifestWriter& manifest)
+std::string freeName(const std::string& name, const std::function<bool(const std::string&)>& is_taken, Writer& manifest)
 {
 	if (!is_taken(name))
 		return name;
@@ -26,13 +28,13 @@ std::string freeName(const std::string& name, const std::function<bool(const std
 
 } // namespace
 
-std::string ownName(vtkFieldData* arrays, const std::string& name, ManifestWriter& manifest)
+std::string ownName(vtkFieldData* arrays, const std::string& name, Writer& manifest)
 {
 	return freeName(
 	    name, [&](const std::string& other) { return arrays->HasArray(other.c_str()) != 0; }, manifest);
 }
 
-void makeOwnNames(std::vector<std::string>& names, ManifestWriter& manifest)
+void makeOwnNames(std::vector<std::string>& names, Writer& manifest)
 {
 	const std::set<std::string> given(names.begin(), names.end());
 	std::set<std::string> taken;
@@ -45,3 +47,5 @@ void makeOwnNames(std::vector<std::string>& names, ManifestWriter& manifest)
 		taken.insert(name);
 	}
 }
+
+} // namespace vp::reader::manifest

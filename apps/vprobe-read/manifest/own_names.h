@@ -3,12 +3,18 @@
 #include <string>
 #include <vector>
 
-class ManifestWriter;
 class vtkFieldData;
+
+namespace vp::reader::manifest
+{
+
+class Writer;
 
 // Returns a name that none of the arrays has: `name`, or "name 2" and so on, with a warning, if it is taken. VTK would
 // drop the first of two arrays with the same name.
-std::string ownName(vtkFieldData* arrays, const std::string& name, ManifestWriter& manifest);
+std::string ownName(vtkFieldData* arrays, const std::string& name, Writer& manifest);
 
 // Does the same for all names of a list.
-void makeOwnNames(std::vector<std::string>& names, ManifestWriter& manifest);
+void makeOwnNames(std::vector<std::string>& names, Writer& manifest);
+
+} // namespace vp::reader::manifest

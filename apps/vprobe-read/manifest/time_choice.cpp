@@ -16,6 +16,9 @@
 #include <numeric>
 #include <vector>
 
+namespace vp::reader::manifest
+{
+
 namespace
 {
 
@@ -39,7 +42,7 @@ std::vector<double> inOrder(std::vector<double> times)
 	return times;
 }
 
-StepsInTime stepsInTime(const std::vector<double>& times, ManifestWriter& manifest)
+StepsInTime stepsInTime(const std::vector<double>& times, Writer& manifest)
 {
 	StepsInTime all{times, std::vector<std::size_t>(times.size())};
 	std::iota(all.steps.begin(), all.steps.end(), std::size_t(0));
@@ -56,8 +59,7 @@ StepsInTime stepsInTime(const std::vector<double>& times, ManifestWriter& manife
 	return all;
 }
 
-std::optional<std::size_t> offerSteps(const std::vector<double>& times, const Request& request,
-                                      ManifestWriter& manifest)
+std::optional<std::size_t> offerSteps(const std::vector<double>& times, const Request& request, Writer& manifest)
 {
 	StepsInTime in_order = stepsInTime(times, manifest);
 	if (!chooseIfAny(in_order.times, request))
@@ -134,10 +136,10 @@ std::optional<double> chooseIfAny(const std::vector<double>& times, const Reques
 	return std::nullopt;
 }
 
-std::optional<double> updateAtTime(vtkAlgorithm& reader, const Request& request, ManifestWriter& manifest)
+std::optional<double> updateAtTime(vtkAlgorithm& reader, const Request& request, Writer& manifest)
 {
 	reader.UpdateInformation();
-	refuseOnComplaint();
+	checks::refuseOnComplaint();
 
 	std::vector<double> times;
 	vtkInformation* about = reader.GetOutputInformation(0);
@@ -153,9 +155,11 @@ std::optional<double> updateAtTime(vtkAlgorithm& reader, const Request& request,
 		reader.UpdateTimeStep(*chosen);
 	else
 		reader.Update();
-	refuseOnComplaint();
+	checks::refuseOnComplaint();
 	if (reader.GetErrorCode() != 0)
 		throw damaged("the reader gave up");
 	manifest.offerTimes(std::move(times));
 	return chosen;
 }
+
+} // namespace vp::reader::manifest

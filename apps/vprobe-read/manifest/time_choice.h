@@ -5,8 +5,12 @@
 #include <optional>
 #include <vector>
 
-class ManifestWriter;
 class vtkAlgorithm;
+
+namespace vp::reader::manifest
+{
+
+class Writer;
 
 // Returns the finite times, ascending and each once.
 std::vector<double> inOrder(std::vector<double> times);
@@ -18,12 +22,11 @@ struct StepsInTime
 	std::vector<std::size_t> steps; // of the file, in the same order
 };
 // Sorts the steps. If a time is not a number, numbers the steps instead, and warns about it.
-StepsInTime stepsInTime(const std::vector<double>& times, ManifestWriter& manifest);
+StepsInTime stepsInTime(const std::vector<double>& times, Writer& manifest);
 
 // Chooses among the times of a file's steps, in whatever order they are, and offers them. Returns the step's number in
 // the file, or nothing if there are no times.
-std::optional<std::size_t> offerSteps(const std::vector<double>& times, const Request& request,
-                                      ManifestWriter& manifest);
+std::optional<std::size_t> offerSteps(const std::vector<double>& times, const Request& request, Writer& manifest);
 
 // Unites several lists of times. Each time occurs as often as in the list that has it most often.
 std::vector<double> unitedTimes(const std::vector<std::vector<double>>& lists);
@@ -52,4 +55,6 @@ std::optional<double> chooseIfAny(const std::vector<double>& times, const Reques
 
 // Updates a reader at the time asked for, and offers all of its times. Returns the chosen one, if it has any. Throws a
 // Refusal if the reader complained.
-std::optional<double> updateAtTime(vtkAlgorithm& reader, const Request& request, ManifestWriter& manifest);
+std::optional<double> updateAtTime(vtkAlgorithm& reader, const Request& request, Writer& manifest);
+
+} // namespace vp::reader::manifest

@@ -8,52 +8,54 @@
 #include <array>
 #include <mutex>
 
-using vp::grid::NumberType;
-using namespace vp::read;
+namespace vp::reader::quick
+{
+
+using grid::NumberType;
 
 namespace
 {
 
 constexpr std::uint64_t kNarrowPoints = std::uint64_t(1) << 31;
 
-const XmlElement& listOf(const QuickPiece& piece, std::string_view name)
+const text::XmlElement& listOf(const Piece& piece, std::string_view name)
 {
-	const XmlElement* found = nullptr;
-	for (const XmlElement& array : onlyChild(*piece.element, "Cells").children)
+	const text::XmlElement* found = nullptr;
+	for (const text::XmlElement& array : onlyChild(*piece.element, "Cells").children)
 	{
 		const std::string_view given = array.attribute("Name");
 		if (!isOneOf(given, {"connectivity", "offsets", "types", "face_connectivity", "face_offsets",
 		                     "polyhedron_to_faces", "polyhedron_offsets"}))
-			throw NotQuick(); // faces of polyhedra as they were before VTK 9.4
+			throw arrays::NotQuick(); // faces of polyhedra as they were before VTK 9.4
 		if (given == name)
 		{
 			if (found)
-				throw NotQuick();
+				throw arrays::NotQuick();
 			found = &array;
 		}
 	}
 	if (!found || ArrayKind(*found).components != 1)
-		throw NotQuick();
+		throw arrays::NotQuick();
 	return *found;
 }
 
 // Calls work(begin, std::span<const T>) for the first numbers of an array, part by part. T is the file's type.
 template <class Work>
-void addIds(const QuickFile& file, const XmlElement& array, std::uint64_t count, Tasks& tasks, Work work)
+void addIds(const File& file, const text::XmlElement& array, std::uint64_t count, Tasks& tasks, Work work)
 {
 	const NumberType type = ArrayKind(array).type;
 	if (type != NumberType::int32 && type != NumberType::int64)
-		throw NotQuick();
+		throw arrays::NotQuick();
 	const std::size_t id_bytes = byteSize(type);
 	if (count > ~std::uint64_t(0) / id_bytes)
-		throw NotQuick();
+		throw arrays::NotQuick();
 	const auto packed = file.open(array, count * id_bytes);
 	const std::size_t part_bytes = packed->partBytes();
 	if (part_bytes % id_bytes != 0)
-		throw NotQuick();
+		throw arrays::NotQuick();
 	const std::uint64_t bytes = count * id_bytes;
 	tasks.add((bytes + part_bytes - 1) / part_bytes,
-	          [=](std::size_t part, Scratch& scratch)
+	          [=](std::size_t part, arrays::Scratch& scratch)
 	          {
 		          const std::uint64_t begin = std::uint64_t(part) * part_bytes;
 		          const std::span<const std::byte> given = packed->part(part, bytes - begin, scratch);
@@ -68,23 +70,23 @@ void addIds(const QuickFile& file, const XmlElement& array, std::uint64_t count,
 class CellReader
 {
 public:
-	CellReader(const QuickFile& file, const std::vector<QuickPiece>& pieces, ArrayWriter& writer, Tasks& tasks)
+	CellReader(const File& file, const std::vector<Piece>& pieces, arrays::Writer& writer, Tasks& tasks)
 	    : file_(file), pieces_(pieces), writer_(writer), tasks_(tasks)
 	{
-		for (const QuickPiece& piece : pieces)
+		for (const Piece& piece : pieces)
 		{
 			points_ += piece.points;
 			cells_ += piece.cells;
 		}
-		if (points_ >= kNarrowPoints || cells_ >= vp::kMaxBlockIds)
-			throw NotQuick();
+		if (points_ >= kNarrowPoints || cells_ >= kMaxBlockIds)
+			throw arrays::NotQuick();
 	}
 
-	QuickCells read()
+	Cells read()
 	{
 		readTypes();
 		const bool are_alike = kinds_[types_[0]] == cells_;
-		const auto size = static_cast<std::uint64_t>(slicedCellSize(types_[0]));
+		const auto size = static_cast<std::uint64_t>(read::slicedCellSize(types_[0]));
 		std::vector<std::uint64_t> ids(pieces_.size());
 		if (are_alike)
 		{
@@ -105,15 +107,15 @@ private:
 		std::mutex mutex;
 		std::uint64_t first = 0;
 		const std::size_t at = writer_.reserve(cells_);
-		for (const QuickPiece& piece : pieces_)
+		for (const Piece& piece : pieces_)
 		{
-			const XmlElement& array = listOf(piece, "types");
+			const text::XmlElement& array = listOf(piece, "types");
 			if (ArrayKind(array).type != NumberType::uint8)
-				throw NotQuick();
+				throw arrays::NotQuick();
 			const auto packed = file_.open(array, piece.cells);
 			const std::size_t part_bytes = packed->partBytes();
 			tasks_.add((piece.cells + part_bytes - 1) / part_bytes,
-			           [=, this, &mutex, cells = piece.cells](std::size_t part, Scratch& scratch)
+			           [=, this, &mutex, cells = piece.cells](std::size_t part, arrays::Scratch& scratch)
 			           {
 				           const std::uint64_t begin = std::uint64_t(part) * part_bytes;
 				           const auto given = packed->part(part, cells - begin, scratch);
@@ -126,7 +128,7 @@ private:
 			first += piece.cells;
 		}
 		tasks_.run();
-		result_.lists["types"] = ArrayWriter::describe(NumberType::uint8, at, cells_);
+		result_.lists["types"] = arrays::Writer::describe(NumberType::uint8, at, cells_);
 		chooseKinds();
 	}
 
@@ -150,8 +152,8 @@ private:
 		std::size_t left = 0;
 		for (std::size_t type = 0; type < 256; ++type)
 		{
-			const int dimension = cellDimension(static_cast<std::uint8_t>(type));
-			const bool is_linear = slicedCellSize(static_cast<std::uint8_t>(type)) > 0;
+			const int dimension = read::cellDimension(static_cast<std::uint8_t>(type));
+			const bool is_linear = read::slicedCellSize(static_cast<std::uint8_t>(type)) > 0;
 			if (kinds_[type] == 0)
 				continue;
 			if (is_linear)
@@ -159,16 +161,16 @@ private:
 			else if (dimension >= 0 && dimension < 3)
 				result_.flat += kinds_[type];
 			else
-				throw NotQuick();
+				throw arrays::NotQuick();
 		}
 		if (left == 0)
-			throw NotQuick();
+			throw arrays::NotQuick();
 	}
 
 	// Checks that the offsets belong to cells of one size, one after the other.
 	void compareOffsets(std::uint64_t size)
 	{
-		for (const QuickPiece& piece : pieces_)
+		for (const Piece& piece : pieces_)
 			addIds(file_, listOf(piece, "offsets"), piece.cells, tasks_,
 			       [size](std::uint64_t begin, auto offsets)
 			       {
@@ -177,7 +179,7 @@ private:
 				       for (const auto offset : offsets)
 					       wrong |= static_cast<std::uint64_t>(offset) ^ (wanted += size);
 				       if (wrong)
-					       throw NotQuick();
+					       throw arrays::NotQuick();
 			       });
 	}
 
@@ -186,7 +188,7 @@ private:
 	{
 		std::vector<std::int64_t> offsets(cells_ + 1);
 		std::uint64_t first = 0;
-		for (const QuickPiece& piece : pieces_)
+		for (const Piece& piece : pieces_)
 		{
 			addIds(file_, listOf(piece, "offsets"), piece.cells, tasks_,
 			       [&offsets, first](std::uint64_t begin, auto ends)
@@ -202,10 +204,10 @@ private:
 			for (std::uint64_t c = first; c < first + pieces_[p].cells; ++c)
 			{
 				const std::int64_t end = offsets[c + 1];
-				const int wanted = slicedCellSize(types_[c]);
+				const int wanted = read::slicedCellSize(types_[c]);
 				// With this limit, the list of any further cell still fits into the type.
 				if (end < last || end >= std::int64_t(1) << 60 || (wanted > 0 && end - last != wanted))
-					throw NotQuick();
+					throw arrays::NotQuick();
 				last = end;
 				offsets[c + 1] = behind + end;
 			}
@@ -213,7 +215,7 @@ private:
 			behind += last;
 			first += pieces_[p].cells;
 		}
-		result_.lists["offsets"] = writeInt64(writer_, std::span<const std::int64_t>(offsets));
+		result_.lists["offsets"] = arrays::writeInt64(writer_, std::span<const std::int64_t>(offsets));
 	}
 
 	void readIds(const std::vector<std::uint64_t>& ids)
@@ -222,7 +224,7 @@ private:
 		for (const std::uint64_t piece : ids)
 			total += piece;
 		if (total >= std::uint64_t(1) << 60)
-			throw NotQuick();
+			throw arrays::NotQuick();
 		const std::size_t at = writer_.reserve(total * sizeof(std::int32_t));
 		std::uint64_t first = 0;
 		std::int64_t first_point = 0;
@@ -245,35 +247,34 @@ private:
 					       to[i] = static_cast<std::int32_t>(id);
 				       }
 				       if (high >= kNarrowPoints)
-					       throw NotQuick();
+					       throw arrays::NotQuick();
 				       writer.put(place + begin * sizeof(std::int32_t), to, given.size() * sizeof(std::int32_t));
 			       });
 			first += ids[p];
 			first_point += static_cast<std::int64_t>(pieces_[p].points);
 		}
-		result_.lists["connectivity"] = ArrayWriter::describe(NumberType::int32, at, total * sizeof(std::int32_t));
+		result_.lists["connectivity"] = arrays::Writer::describe(NumberType::int32, at, total * sizeof(std::int32_t));
 	}
 
-	const QuickFile& file_;
-	const std::vector<QuickPiece>& pieces_;
-	ArrayWriter& writer_;
+	const File& file_;
+	const std::vector<Piece>& pieces_;
+	arrays::Writer& writer_;
 	Tasks& tasks_;
 	std::uint64_t points_ = 0;
 	std::uint64_t cells_ = 0;
 	std::vector<std::uint8_t> types_;
 	std::array<std::size_t, 256> kinds_{};
-	QuickCells result_;
+	Cells result_;
 };
 
 } // namespace
 
-QuickCells readQuickCells(const QuickFile& file, const std::vector<QuickPiece>& pieces, ArrayWriter& writer,
-                          Tasks& tasks)
+Cells readCells(const File& file, const std::vector<Piece>& pieces, arrays::Writer& writer, Tasks& tasks)
 {
 	return CellReader(file, pieces, writer, tasks).read();
 }
 
-void copyArray(const QuickFile& file, const XmlElement& array, const ByteRange& range, ArrayWriter& writer,
+void copyArray(const File& file, const text::XmlElement& array, const ByteRange& range, arrays::Writer& writer,
                std::size_t at, Tasks& tasks)
 {
 	const std::uint64_t first = range.first;
@@ -282,7 +283,7 @@ void copyArray(const QuickFile& file, const XmlElement& array, const ByteRange& 
 	const std::size_t part_bytes = packed->partBytes();
 	const std::size_t first_part = first / part_bytes;
 	tasks.add((behind + part_bytes - 1) / part_bytes - first_part,
-	          [=, &writer](std::size_t part, Scratch& scratch)
+	          [=, &writer](std::size_t part, arrays::Scratch& scratch)
 	          {
 		          const std::uint64_t begin = std::uint64_t(first_part + part) * part_bytes;
 		          const std::uint64_t skipped = begin < first ? first - begin : 0;
@@ -290,3 +291,5 @@ void copyArray(const QuickFile& file, const XmlElement& array, const ByteRange& 
 		          writer.put(at + (begin + skipped - first), given.data(), given.size());
 	          });
 }
+
+} // namespace vp::reader::quick

@@ -8,9 +8,12 @@
 
 #include <vector>
 
-struct QuickPiece
+namespace vp::reader::quick
 {
-	const XmlElement* element;
+
+struct Piece
+{
+	const text::XmlElement* element;
 	std::uint64_t points;
 	std::uint64_t cells;
 	std::uint64_t first_point = 0; // of the arrays; those before are left out
@@ -20,13 +23,12 @@ struct QuickPiece
 };
 
 // Returns the cell lists of the pieces, one after the other. Throws NotQuick. The added tasks write the rest.
-struct QuickCells
+struct Cells
 {
 	nlohmann::json lists;
 	std::size_t flat = 0;
 };
-QuickCells readQuickCells(const QuickFile& file, const std::vector<QuickPiece>& pieces, ArrayWriter& writer,
-                          Tasks& tasks);
+Cells readCells(const File& file, const std::vector<Piece>& pieces, arrays::Writer& writer, Tasks& tasks);
 
 // A range of bytes of an array.
 struct ByteRange
@@ -37,5 +39,7 @@ struct ByteRange
 };
 
 // Adds tasks that copy some bytes of an array to a place in the shared memory.
-void copyArray(const QuickFile& file, const XmlElement& array, const ByteRange& range, ArrayWriter& writer,
+void copyArray(const File& file, const text::XmlElement& array, const ByteRange& range, arrays::Writer& writer,
                std::size_t at, Tasks& tasks);
+
+} // namespace vp::reader::quick

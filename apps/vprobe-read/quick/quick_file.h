@@ -11,51 +11,54 @@
 #include <string>
 #include <string_view>
 
+namespace vp::reader::quick
+{
+
 // Gives the quick reader a VTK XML file: its elements, and its arrays by their elements. All functions throw NotQuick
 // if the quick reader does not support the file.
-class QuickFile
+class File
 {
 public:
-	explicit QuickFile(const std::string& path);
-	~QuickFile();
-	QuickFile(const QuickFile&) = delete;
-	QuickFile& operator=(const QuickFile&) = delete;
+	explicit File(const std::string& path);
+	~File();
+	File(const File&) = delete;
+	File& operator=(const File&) = delete;
 
 	std::string_view type() const { return xml_.root.attribute("type"); }
 	// Returns the element that is named like the file's type, and so holds the pieces.
-	const XmlElement& data() const;
+	const text::XmlElement& data() const;
 	// Opens an array of so many bytes.
-	std::shared_ptr<const PackedArray> open(const XmlElement& array, std::uint64_t bytes) const;
+	std::shared_ptr<const arrays::PackedArray> open(const text::XmlElement& array, std::uint64_t bytes) const;
 
 private:
 	int file_ = -1;
-	XmlFile xml_;
-	Packing packing_;
+	text::XmlFile xml_;
+	arrays::Packing packing_;
 };
 
 // Returns how the arrays of a file are packed. Throws NotQuick if that is unknown.
-Packing packingOf(const XmlElement& root);
+arrays::Packing packingOf(const text::XmlElement& root);
 
 // Opens an array that is appended, or stands inline as base64.
-std::shared_ptr<const PackedArray> openPacked(int file, const XmlFile& xml, const Packing& packing,
-                                              const XmlElement& array);
+std::shared_ptr<const arrays::PackedArray> openPacked(int file, const text::XmlFile& xml,
+                                                      const arrays::Packing& packing, const text::XmlElement& array);
 
 // Returns the type that files write as "Float64", for example. Returns nothing if it is not a number type.
-std::optional<vp::grid::NumberType> numberTypeOfXml(std::string_view word);
+std::optional<grid::NumberType> numberTypeOfXml(std::string_view word);
 
 // The number type and components of a DataArray. Throws NotQuick if the array does not hold numbers.
 struct ArrayKind
 {
-	explicit ArrayKind(const XmlElement& array);
+	explicit ArrayKind(const text::XmlElement& array);
 	bool operator==(const ArrayKind&) const = default;
 	std::uint64_t tupleBytes() const { return std::uint64_t(components) * byteSize(type); }
 
-	vp::grid::NumberType type;
+	grid::NumberType type;
 	std::uint32_t components;
 };
 
 // Throws NotQuick unless the element has exactly one child of this name.
-const XmlElement& onlyChild(const XmlElement& parent, std::string_view name);
+const text::XmlElement& onlyChild(const text::XmlElement& parent, std::string_view name);
 
 // Returns the numbers of a text, which must have exactly as many as the array.
 template <class T, std::size_t N>
@@ -68,12 +71,14 @@ std::array<T, N> numbersIn(std::string_view text)
 		text.remove_prefix(std::min(text.find_first_not_of(spaces), text.size()));
 		const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
 		if (error != std::errc())
-			throw NotQuick();
+			throw arrays::NotQuick();
 		text.remove_prefix(static_cast<std::size_t>(end - text.data()));
 		if (!text.empty() && spaces.find(text.front()) == spaces.npos)
-			throw NotQuick();
+			throw arrays::NotQuick();
 	}
 	if (text.find_first_not_of(spaces) != text.npos)
-		throw NotQuick();
+		throw arrays::NotQuick();
 	return numbers;
 }
+
+} // namespace vp::reader::quick

@@ -6,15 +6,18 @@
 #include "quick_lattice.h"
 #include "tasks.h"
 #include "vprobe-read/arrays/stored_place.h"
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/is_one_of.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <set>
 
+namespace vp::reader::quick
+{
+
+using grid::NumberType;
 using nlohmann::json;
-using vp::grid::NumberType;
 
 namespace
 {
@@ -22,21 +25,21 @@ namespace
 class QuickReader
 {
 public:
-	QuickReader(const std::string& path, const ArrayWish& wish, int threads, ArrayWriter& arrays, ArrayWriter& cells,
-	            const std::optional<CellLayers>& layers, std::uint64_t stays_above)
+	QuickReader(const std::string& path, const ArrayWish& wish, int threads, arrays::Writer& arrays,
+	            arrays::Writer& cells, const std::optional<CellLayers>& layers, std::uint64_t stays_above)
 	    : path_(path), file_(path), wish_(wish), tasks_(threads), arrays_(arrays), cells_(cells), layers_(layers),
 	      stays_above_(layers ? ~std::uint64_t(0) : stays_above)
 	{
 	}
 
-	QuickBlock read()
+	Block read()
 	{
-		const XmlElement& data = file_.data();
-		for (const XmlElement& child : data.children)
+		const text::XmlElement& data = file_.data();
+		for (const text::XmlElement& child : data.children)
 			if (child.name == "FieldData")
 				readTime(child);
 			else if (child.name != "Piece")
-				throw NotQuick();
+				throw arrays::NotQuick();
 		if (file_.type() == "UnstructuredGrid")
 			readUnstructured(data);
 		else
@@ -51,25 +54,25 @@ public:
 	}
 
 private:
-	static void allowAttributes(const XmlElement& element, std::initializer_list<std::string_view> allowed)
+	static void allowAttributes(const text::XmlElement& element, std::initializer_list<std::string_view> allowed)
 	{
 		for (const auto& [key, value] : element.attributes)
 			if (std::find(allowed.begin(), allowed.end(), key) == allowed.end())
-				throw NotQuick(); // times among them
+				throw arrays::NotQuick(); // times among them
 	}
-	static void allowChildren(const XmlElement& element, std::initializer_list<std::string_view> allowed)
+	static void allowChildren(const text::XmlElement& element, std::initializer_list<std::string_view> allowed)
 	{
 		std::set<std::string_view> seen;
-		for (const XmlElement& child : element.children)
+		for (const text::XmlElement& child : element.children)
 			if (std::find(allowed.begin(), allowed.end(), child.name) == allowed.end() ||
 			    !seen.insert(child.name).second)
-				throw NotQuick();
+				throw arrays::NotQuick();
 	}
 
 	// Reads the time, which is all that VTK's readers take from field data.
-	void readTime(const XmlElement& field_data)
+	void readTime(const text::XmlElement& field_data)
 	{
-		for (const XmlElement& array : field_data.children)
+		for (const text::XmlElement& array : field_data.children)
 		{
 			const std::string_view name = array.attribute("Name");
 			if (!name.starts_with("TimeValue"))
@@ -77,24 +80,24 @@ private:
 			const ArrayKind kind(array);
 			if (name != "TimeValue" || array.attribute("NumberOfTuples") != "1" || kind.type != NumberType::float64 ||
 			    kind.components != 1 || !block_.times.empty())
-				throw NotQuick();
+				throw arrays::NotQuick();
 			double time = 0.0;
 			if (array.attribute("format") == "ascii")
 				time = numbersIn<double, 1>(array.text)[0];
 			else
 			{
-				Scratch scratch;
+				arrays::Scratch scratch;
 				const auto packed = file_.open(array, sizeof time);
-				std::memcpy(&time, packed->part(0, sizeof time, scratch).data(), sizeof time);
+				time = numberAt<double>(packed->part(0, sizeof time, scratch).data());
 			}
 			block_.times.push_back(time);
 		}
 	}
 
-	void readUnstructured(const XmlElement& data)
+	void readUnstructured(const text::XmlElement& data)
 	{
 		allowAttributes(data, {});
-		for (const XmlElement& piece : data.children)
+		for (const text::XmlElement& piece : data.children)
 		{
 			if (piece.name != "Piece")
 				continue;
@@ -103,29 +106,29 @@ private:
 			pieces_.push_back({&piece, numbersIn<std::uint64_t, 1>(piece.attribute("NumberOfPoints"))[0],
 			                   numbersIn<std::uint64_t, 1>(piece.attribute("NumberOfCells"))[0]});
 			// Such sums stay far from overflow.
-			if (pieces_.back().points == 0 || pieces_.back().points >= vp::kMaxBlockIds || pieces_.back().cells == 0 ||
-			    pieces_.back().cells >= vp::kMaxBlockIds)
-				throw NotQuick();
+			if (pieces_.back().points == 0 || pieces_.back().points >= kMaxBlockIds || pieces_.back().cells == 0 ||
+			    pieces_.back().cells >= kMaxBlockIds)
+				throw arrays::NotQuick();
 		}
 		if (pieces_.empty())
-			throw NotQuick();
-		QuickCells cells = readQuickCells(file_, pieces_, cells_, tasks_);
+			throw arrays::NotQuick();
+		Cells cells = readCells(file_, pieces_, cells_, tasks_);
 		block_.flat = cells.flat;
 		block_.block = {{"kind", "unstructured"}, {"coordinates", copyPoints(cells_)}};
 		block_.block["cells"] = std::move(cells.lists);
 	}
 
-	void readLattice(const XmlElement& data)
+	void readLattice(const text::XmlElement& data)
 	{
 		allowAttributes(data, {"WholeExtent", "Origin", "Spacing", "Direction"});
-		const XmlElement& piece = onlyChild(data, "Piece");
+		const text::XmlElement& piece = onlyChild(data, "Piece");
 		allowAttributes(piece, {"Extent"});
 		allowChildren(piece, {"PointData", "CellData", "Points", "Coordinates"});
 		const auto extent = numbersIn<std::int32_t, 6>(data.attribute("WholeExtent"));
 		std::array<std::uint64_t, 3> points = latticePoints(data, piece);
 		const CellLayers layers = layers_.value_or(CellLayers{0, points[2] - 1});
 		if (layers.end >= points[2])
-			throw NotQuick();
+			throw arrays::NotQuick();
 		first_plane_ = layers.begin;
 		const std::uint64_t planes = points[2];
 		points[2] = layers.count() + 1;
@@ -142,21 +145,21 @@ private:
 		else if (file_.type() == "StructuredGrid")
 			block_.block = {{"kind", "curvilinear"}, {"points", points}, {"coordinates", copyPoints(arrays_)}};
 		else
-			throw NotQuick();
+			throw arrays::NotQuick();
 	}
 
-	void describeImage(const XmlElement& data, const std::array<std::int32_t, 6>& extent,
+	void describeImage(const text::XmlElement& data, const std::array<std::int32_t, 6>& extent,
 	                   const std::array<std::uint64_t, 3>& points)
 	{
 		const auto spacing = numbersIn<double, 3>(data.attribute("Spacing"));
 		auto origin = numbersIn<double, 3>(data.attribute("Origin"));
 		if (data.has("Direction") &&
 		    numbersIn<double, 9>(data.attribute("Direction")) != std::array<double, 9>{1, 0, 0, 0, 1, 0, 0, 0, 1})
-			throw NotQuick();
+			throw arrays::NotQuick();
 		for (std::size_t axis = 0; axis < 3; ++axis)
 		{
 			if (!std::isfinite(spacing[axis]) || !std::isfinite(origin[axis]))
-				throw NotQuick();
+				throw arrays::NotQuick();
 			origin[axis] += extent[2 * axis] * spacing[axis];
 		}
 		block_.block = {{"kind", "image"}, {"points", points}, {"origin", origin}, {"spacing", spacing}};
@@ -181,18 +184,18 @@ private:
 	}
 
 	// Reads the axes at once, since they are short.
-	void readAxes(const XmlElement& piece, const std::array<std::uint64_t, 3>& points)
+	void readAxes(const text::XmlElement& piece, const std::array<std::uint64_t, 3>& points)
 	{
-		const XmlElement& coordinates = onlyChild(piece, "Coordinates");
+		const text::XmlElement& coordinates = onlyChild(piece, "Coordinates");
 		if (coordinates.children.size() != 3)
-			throw NotQuick();
+			throw arrays::NotQuick();
 		json axes = json::array();
 		for (std::size_t axis = 0; axis < 3; ++axis)
 		{
-			const XmlElement& array = coordinates.children[axis];
+			const text::XmlElement& array = coordinates.children[axis];
 			const ArrayKind kind(array);
 			if (kind.components != 1)
-				throw NotQuick();
+				throw arrays::NotQuick();
 			const std::uint64_t first = axis == 2 ? first_plane_ : 0;
 			const std::uint64_t all = axis == 2 ? pieces_[0].all_points / (points[0] * points[1]) : points[axis];
 			if (kind.type == NumberType::float32)
@@ -200,19 +203,19 @@ private:
 			else if (kind.type == NumberType::float64)
 				axes.push_back(copyAxis<double>(array, first, points[axis], all));
 			else
-				throw NotQuick();
+				throw arrays::NotQuick();
 		}
 		block_.block = {{"kind", "rectilinear"}, {"axes", std::move(axes)}};
 	}
 
 	template <class T>
-	json copyAxis(const XmlElement& array, std::uint64_t first, std::uint64_t count, std::uint64_t all)
+	json copyAxis(const text::XmlElement& array, std::uint64_t first, std::uint64_t count, std::uint64_t all)
 	{
 		const std::uint64_t bytes = (first + count) * sizeof(T);
 		const auto packed = file_.open(array, all * sizeof(T));
 		if (packed->partBytes() % sizeof(T) != 0)
-			throw NotQuick();
-		Scratch scratch;
+			throw arrays::NotQuick();
+		arrays::Scratch scratch;
 		arrays_.begin();
 		for (std::uint64_t begin = 0; begin < bytes; begin += packed->partBytes())
 		{
@@ -226,47 +229,47 @@ private:
 		return arrays_.end(NumberType::float64);
 	}
 
-	json copyPoints(ArrayWriter& writer)
+	json copyPoints(arrays::Writer& writer)
 	{
-		std::vector<const XmlElement*> arrays;
-		for (const QuickPiece& piece : pieces_)
+		std::vector<const text::XmlElement*> arrays;
+		for (const Piece& piece : pieces_)
 		{
-			const XmlElement& points = onlyChild(*piece.element, "Points");
+			const text::XmlElement& points = onlyChild(*piece.element, "Points");
 			if (points.children.size() != 1)
-				throw NotQuick();
+				throw arrays::NotQuick();
 			arrays.push_back(&points.children[0]);
 		}
 		const ArrayKind kind(*arrays[0]);
 		if (kind.components != 3 || (kind.type != NumberType::float32 && kind.type != NumberType::float64))
-			throw NotQuick();
-		return copyPieces(arrays, kind, &QuickPiece::points, writer);
+			throw arrays::NotQuick();
+		return copyPieces(arrays, kind, &Piece::points, writer);
 	}
 
-	json copyPieces(const std::vector<const XmlElement*>& arrays, const ArrayKind& kind,
-	                std::uint64_t QuickPiece::*tuples, ArrayWriter& writer)
+	json copyPieces(const std::vector<const text::XmlElement*>& arrays, const ArrayKind& kind,
+	                std::uint64_t Piece::*tuples, arrays::Writer& writer)
 	{
 		std::uint64_t total = 0;
-		for (const QuickPiece& piece : pieces_)
+		for (const Piece& piece : pieces_)
 			total += piece.*tuples * kind.tupleBytes();
 		const std::size_t at = writer.reserve(total);
 		std::uint64_t first = 0;
 		for (std::size_t p = 0; p < pieces_.size(); ++p)
 		{
 			if (ArrayKind(*arrays[p]) != kind)
-				throw NotQuick();
+				throw arrays::NotQuick();
 			const std::uint64_t bytes = pieces_[p].*tuples * kind.tupleBytes();
-			const bool is_point = tuples == &QuickPiece::points;
+			const bool is_point = tuples == &Piece::points;
 			const auto before = is_point ? pieces_[p].first_point : pieces_[p].first_cell;
 			const auto all = is_point ? pieces_[p].all_points : pieces_[p].all_cells;
 			copyArray(file_, *arrays[p], {before * kind.tupleBytes(), bytes, all * kind.tupleBytes()}, writer,
 			          at + first, tasks_);
 			first += bytes;
 		}
-		return ArrayWriter::describe(kind.type, at, total);
+		return arrays::Writer::describe(kind.type, at, total);
 	}
 
 	// Returns the description of an array of a lattice that stays in the file, or null.
-	json inFile(const XmlElement& array, const ArrayKind& kind, bool is_point)
+	json inFile(const text::XmlElement& array, const ArrayKind& kind, bool is_point)
 	{
 		if (lattice_[0] == 0)
 			return {};
@@ -278,47 +281,47 @@ private:
 		    bytes > stays_above_ ? file_.open(array, bytes)->placeInFile() : std::nullopt;
 		if (!begin)
 			return {};
-		const StoredPlace place = storedRows(path_, *begin, items, kind.tupleBytes(), false);
-		return {{"type", vp::grid::numberTypeName(kind.type)}, {"stored", describeStored(place, arrays_)}};
+		const arrays::StoredPlace place = arrays::storedRows(path_, *begin, items, kind.tupleBytes(), false);
+		return {{"type", grid::numberTypeName(kind.type)}, {"stored", arrays::describeStored(place, arrays_)}};
 	}
 
-	static const std::vector<XmlElement>& arraysOf(const QuickPiece& piece, std::string_view element)
+	static const std::vector<text::XmlElement>& arraysOf(const Piece& piece, std::string_view element)
 	{
-		static const std::vector<XmlElement> none;
-		for (const XmlElement& child : piece.element->children)
+		static const std::vector<text::XmlElement> none;
+		for (const text::XmlElement& child : piece.element->children)
 			if (child.name == element)
 				return child.children;
 		return none;
 	}
 
 	// Takes the units. Ranges in the file are ignored, because they are computed anew.
-	static std::string unitsOf(const XmlElement& array)
+	static std::string unitsOf(const text::XmlElement& array)
 	{
 		std::string units;
-		for (const XmlElement& key : array.children)
+		for (const text::XmlElement& key : array.children)
 		{
 			const std::string_view name = key.attribute("name");
 			if (key.name != "InformationKey" ||
 			    !isOneOf(name, {"L2_NORM_RANGE", "L2_NORM_FINITE_RANGE", "UNITS_LABEL"}))
-				throw NotQuick();
+				throw arrays::NotQuick();
 			if (name != "UNITS_LABEL")
 				continue;
 			units = key.text;
 			const auto is_space = [](char c) { return static_cast<unsigned char>(c) <= ' '; };
 			if (key.attribute("location") != "vtkDataArray" || units.empty() || is_space(units.front()) ||
 			    is_space(units.back()) || units.size() > 1000)
-				throw NotQuick();
+				throw arrays::NotQuick();
 		}
 		return units;
 	}
 
 	void addArrays(const char* association, std::string_view element)
 	{
-		const auto tuples = association[0] == 'p' ? &QuickPiece::points : &QuickPiece::cells;
-		const std::vector<XmlElement>& first = arraysOf(pieces_[0], element);
-		for (const QuickPiece& piece : pieces_)
+		const auto tuples = association[0] == 'p' ? &Piece::points : &Piece::cells;
+		const std::vector<text::XmlElement>& first = arraysOf(pieces_[0], element);
+		for (const Piece& piece : pieces_)
 			if (arraysOf(piece, element).size() != first.size())
-				throw NotQuick();
+				throw arrays::NotQuick();
 		std::set<std::string_view> names;
 		for (std::size_t i = 0; i < first.size(); ++i)
 		{
@@ -326,13 +329,13 @@ private:
 			// Files with ghost marks are left to VTK.
 			if (!first[i].has("Name") || isOneOf(name, {"", "vtkGhostType", "vtkGhostLevels"}) ||
 			    !names.insert(first[i].attribute("Name")).second)
-				throw NotQuick();
-			std::vector<const XmlElement*> arrays;
-			for (const QuickPiece& piece : pieces_)
+				throw arrays::NotQuick();
+			std::vector<const text::XmlElement*> arrays;
+			for (const Piece& piece : pieces_)
 			{
 				arrays.push_back(&arraysOf(piece, element)[i]);
 				if (arrays.back()->attribute("Name") != name)
-					throw NotQuick();
+					throw arrays::NotQuick();
 			}
 			const ArrayKind kind(first[i]);
 			const bool is_shown = !has_shown_;
@@ -340,7 +343,7 @@ private:
 			const bool wanted = wish_.wants(association, name, is_shown);
 			json described;
 			if (!wanted)
-				described = {{"type", vp::grid::numberTypeName(kind.type)}, {"left_out", true}};
+				described = {{"type", grid::numberTypeName(kind.type)}, {"left_out", true}};
 			else if (described = inFile(first[i], kind, association[0] == 'p'); described.is_null())
 				described = copyPieces(arrays, kind, tuples, arrays_);
 			described["name"] = name;
@@ -353,17 +356,17 @@ private:
 	}
 
 	const std::string path_;
-	QuickFile file_;
+	File file_;
 	const ArrayWish& wish_;
 	Tasks tasks_;
-	ArrayWriter& arrays_;
-	ArrayWriter& cells_;
+	arrays::Writer& arrays_;
+	arrays::Writer& cells_;
 	std::optional<CellLayers> layers_;
 	std::uint64_t stays_above_;
 	std::array<std::uint64_t, 3> lattice_{0, 0, 0}; // points of one with straight axes
 	std::uint64_t first_plane_ = 0;
-	std::vector<QuickPiece> pieces_;
-	QuickBlock block_;
+	std::vector<Piece> pieces_;
+	Block block_;
 	json described_ = json::array();
 	json left_out_ = json::array();
 	bool has_shown_ = false;
@@ -371,9 +374,9 @@ private:
 
 } // namespace
 
-std::optional<QuickBlock> readQuickly(const std::string& file, const ArrayWish& wish, int threads, ArrayWriter& arrays,
-                                      ArrayWriter& cells, const std::optional<CellLayers>& layers,
-                                      std::uint64_t stays_above)
+std::optional<Block> readQuickly(const std::string& file, const ArrayWish& wish, int threads, arrays::Writer& arrays,
+                                 arrays::Writer& cells, const std::optional<CellLayers>& layers,
+                                 std::uint64_t stays_above)
 {
 	const std::size_t arrays_mark = arrays.mark();
 	const std::size_t cells_mark = cells.mark();
@@ -381,10 +384,12 @@ std::optional<QuickBlock> readQuickly(const std::string& file, const ArrayWish& 
 	{
 		return QuickReader(file, wish, threads, arrays, cells, layers, stays_above).read();
 	}
-	catch (const NotQuick&)
+	catch (const arrays::NotQuick&)
 	{
 		arrays.rewind(arrays_mark);
 		cells.rewind(cells_mark);
 		return std::nullopt;
 	}
 }
+
+} // namespace vp::reader::quick

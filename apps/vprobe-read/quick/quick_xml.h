@@ -11,8 +11,11 @@
 #include <string>
 #include <vector>
 
+namespace vp::reader::quick
+{
+
 // A block of the manifest without its name.
-struct QuickBlock
+struct Block
 {
 	nlohmann::json block;
 	std::size_t flat = 0;      // cells of dimension below three
@@ -24,6 +27,8 @@ struct QuickBlock
 // base64 or compressed; linear cells; no hidden cells. Everything else, damaged files too, is left to VTK: then this
 // returns nothing and writes nothing. layers: the wanted layers of a lattice; without a value, all layers. stays_above:
 // arrays of images and rectilinear grids of more bytes stay in the file where they are not packed.
-std::optional<QuickBlock> readQuickly(const std::string& file, const ArrayWish& wish, int threads, ArrayWriter& arrays,
-                                      ArrayWriter& cells, const std::optional<CellLayers>& layers = {},
-                                      std::uint64_t stays_above = ~std::uint64_t(0));
+std::optional<Block> readQuickly(const std::string& file, const ArrayWish& wish, int threads, arrays::Writer& arrays,
+                                 arrays::Writer& cells, const std::optional<CellLayers>& layers = {},
+                                 std::uint64_t stays_above = ~std::uint64_t(0));
+
+} // namespace vp::reader::quick

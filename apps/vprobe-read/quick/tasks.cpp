@@ -7,13 +7,16 @@
 #include <system_error>
 #include <thread>
 
+namespace vp::reader::quick
+{
+
 void Tasks::add(std::size_t parts, Part work)
 {
 	jobs_.push_back({parts_, std::move(work)});
 	parts_ += parts;
 }
 
-void Tasks::workOn(std::size_t part, Scratch& scratch) const
+void Tasks::workOn(std::size_t part, arrays::Scratch& scratch) const
 {
 	const auto behind = std::upper_bound(jobs_.begin(), jobs_.end(), part,
 	                                     [](std::size_t wanted, const Job& job) { return wanted < job.first; });
@@ -29,7 +32,7 @@ void Tasks::run()
 	{
 		try
 		{
-			Scratch scratch;
+			arrays::Scratch scratch;
 			for (std::size_t part = next++; part < parts_; part = next++)
 				workOn(part, scratch);
 		}
@@ -60,3 +63,5 @@ void Tasks::run()
 	if (error)
 		std::rethrow_exception(error);
 }
+
+} // namespace vp::reader::quick

@@ -13,17 +13,20 @@
 #include <cmath>
 #include <set>
 
-using vp::grid::NumberType;
+namespace vp::reader::quick
+{
+
+using grid::NumberType;
 
 namespace
 {
 
-std::optional<NumberType> numberTypeOf(const XmlElement& array)
+std::optional<NumberType> numberTypeOf(const text::XmlElement& array)
 {
 	return array.name == "DataArray" ? numberTypeOfXml(array.attribute("type")) : std::nullopt;
 }
 
-XmlArray::Form formOf(const XmlElement& array)
+XmlArray::Form formOf(const text::XmlElement& array)
 {
 	const std::string_view format = array.attribute("format");
 	if (format == "binary")
@@ -33,17 +36,17 @@ XmlArray::Form formOf(const XmlElement& array)
 	return format == "appended" || array.has("offset") ? XmlArray::Form::appended : XmlArray::Form::text;
 }
 
-std::uint64_t sizeIn(const XmlElement& element, std::string_view attribute)
+std::uint64_t sizeIn(const text::XmlElement& element, std::string_view attribute)
 {
 	if (!element.has(attribute))
 		return 0;
-	const std::int64_t count = TextCursor(element.attribute(attribute)).integer();
+	const std::int64_t count = text::Cursor(element.attribute(attribute)).integer();
 	if (count < 0 || count >= std::int64_t(1) << 48)
 		throw damaged(fmt::format("{} is {}", attribute, count));
 	return static_cast<std::uint64_t>(count);
 }
 
-std::uint64_t componentsOf(const XmlElement& array)
+std::uint64_t componentsOf(const text::XmlElement& array)
 {
 	return array.has("NumberOfComponents") ? std::min<std::uint64_t>(sizeIn(array, "NumberOfComponents"), 1 << 16) : 1;
 }
@@ -53,14 +56,14 @@ class ArrayLister
 public:
 	explicit ArrayLister(std::vector<XmlArray>& list) : list_(list) {}
 
-	void addPiece(XmlElement& piece)
+	void addPiece(text::XmlElement& piece)
 	{
 		const std::optional<PieceSizes> sizes = sizesOfPiece(piece);
-		for (XmlElement& section : piece.children)
+		for (text::XmlElement& section : piece.children)
 			if (isOneOf(section.name, {"PointData", "CellData"}))
 				addFields(section, sizes);
 			else if (section.name == "Points")
-				for (XmlElement& array : section.children)
+				for (text::XmlElement& array : section.children)
 					add(array, "the array of its points", sizes ? std::optional(3 * sizes->points) : std::nullopt);
 			else if (section.name == "Coordinates")
 				addAxes(section, sizes);
@@ -73,9 +76,9 @@ public:
 	}
 
 	// Adds arrays that say themselves how many values they have, such as those of field data and of hyper tree grids.
-	void addOthers(XmlElement& element)
+	void addOthers(text::XmlElement& element)
 	{
-		for (XmlElement& child : element.children)
+		for (text::XmlElement& child : element.children)
 			if (isOneOf(child.name, {"DataArray", "Array"}))
 			{
 				std::optional<std::uint64_t> values;
@@ -88,7 +91,7 @@ public:
 	}
 
 private:
-	XmlArray* add(XmlElement& element, std::string words, std::optional<std::uint64_t> values)
+	XmlArray* add(text::XmlElement& element, std::string words, std::optional<std::uint64_t> values)
 	{
 		if (!isOneOf(element.name, {"DataArray", "Array"}))
 			return nullptr;
@@ -96,10 +99,10 @@ private:
 		return &list_.back();
 	}
 
-	void addFields(XmlElement& section, const std::optional<PieceSizes>& sizes)
+	void addFields(text::XmlElement& section, const std::optional<PieceSizes>& sizes)
 	{
 		const bool is_point = section.name == "PointData";
-		for (XmlElement& array : section.children)
+		for (text::XmlElement& array : section.children)
 		{
 			std::optional<std::uint64_t> values;
 			if (sizes)
@@ -108,7 +111,7 @@ private:
 		}
 	}
 
-	void addAxes(XmlElement& section, const std::optional<PieceSizes>& sizes)
+	void addAxes(text::XmlElement& section, const std::optional<PieceSizes>& sizes)
 	{
 		for (std::size_t axis = 0; axis < section.children.size(); ++axis)
 		{
@@ -119,10 +122,10 @@ private:
 		}
 	}
 
-	void addCells(XmlElement& section, std::uint64_t cells)
+	void addCells(text::XmlElement& section, std::uint64_t cells)
 	{
 		std::optional<std::size_t> offsets, connectivity;
-		for (XmlElement& array : section.children)
+		for (text::XmlElement& array : section.children)
 		{
 			const std::string_view name = array.attribute("Name");
 			std::optional<std::uint64_t> values;
@@ -144,21 +147,21 @@ private:
 };
 
 // Returns true for sections of point or cell arrays, in a piece or in an index of pieces.
-bool holdsFields(const XmlElement& section)
+bool holdsFields(const text::XmlElement& section)
 {
 	return isOneOf(section.name, {"PointData", "CellData", "PPointData", "PCellData"});
 }
 
-std::string* attributeIn(XmlElement& element, std::string_view name)
+std::string* attributeIn(text::XmlElement& element, std::string_view name)
 {
 	const auto found = std::ranges::find(element.attributes, name, [](const auto& each) { return each.first; });
 	return found == element.attributes.end() ? nullptr : &found->second;
 }
 
-void nameArrays(XmlElement& section, std::set<std::string>& lines)
+void nameArrays(text::XmlElement& section, std::set<std::string>& lines)
 {
 	std::set<std::string, std::less<>> names;
-	for (const XmlElement& array : section.children)
+	for (const text::XmlElement& array : section.children)
 		names.insert(std::string(array.attribute("Name")));
 	std::set<std::string, std::less<>> taken;
 	const auto ownName = [&](const std::string& stem, std::size_t number)
@@ -172,7 +175,7 @@ void nameArrays(XmlElement& section, std::set<std::string>& lines)
 	const std::string_view kind = section.name.find("Point") != std::string::npos ? "point" : "cell";
 	for (std::size_t i = 0; i < section.children.size(); ++i)
 	{
-		XmlElement& array = section.children[i];
+		text::XmlElement& array = section.children[i];
 		std::string name(array.attribute("Name"));
 		if (name.empty())
 		{
@@ -193,10 +196,10 @@ void nameArrays(XmlElement& section, std::set<std::string>& lines)
 	}
 }
 
-bool hasStrangeNumber(const XmlElement& element)
+bool hasStrangeNumber(const text::XmlElement& element)
 {
-	for (TextCursor at(element.text); !at.atEnd();)
-		if (const std::optional<double> number = vp::parseReal(at.word()); number && !std::isfinite(*number))
+	for (text::Cursor at(element.text); !at.atEnd();)
+		if (const std::optional<double> number = parseReal(at.word()); number && !std::isfinite(*number))
 			return true;
 	return std::ranges::any_of(element.children, hasStrangeNumber);
 }
@@ -222,7 +225,7 @@ bool isPlain(std::string_view word)
 	return error == std::errc() && end == word.data() + word.size();
 }
 
-bool respell(XmlElement& element)
+bool respell(text::XmlElement& element)
 {
 	bool is_new = false;
 	for (const NumbersOf& numbers : kNumbersOf)
@@ -233,10 +236,10 @@ bool respell(XmlElement& element)
 		std::string plain;
 		std::size_t there = 0;
 		bool is_strange = false;
-		for (TextCursor at(*text); !at.atEnd(); ++there)
+		for (text::Cursor at(*text); !at.atEnd(); ++there)
 		{
 			const std::string_view word = at.word();
-			const std::optional<double> number = vp::parseReal(word);
+			const std::optional<double> number = parseReal(word);
 			if (!number || !std::isfinite(*number))
 				throw damaged(
 				    fmt::format("\"{}\" in its {} is no finite number", word.substr(0, 40), numbers.attribute));
@@ -264,11 +267,11 @@ void XmlArray::check(std::uint64_t there, std::int64_t last_offset) const
 		throw damaged(fmt::format("{} has {} values where {} belong", words, there, *wanted));
 }
 
-std::vector<XmlArray> arraysOfXml(XmlElement& data)
+std::vector<XmlArray> arraysOfXml(text::XmlElement& data)
 {
 	std::vector<XmlArray> arrays;
 	ArrayLister lister(arrays);
-	for (XmlElement& child : data.children)
+	for (text::XmlElement& child : data.children)
 		if (child.name == "Piece")
 			lister.addPiece(child);
 		else
@@ -276,7 +279,7 @@ std::vector<XmlArray> arraysOfXml(XmlElement& data)
 	return arrays;
 }
 
-std::optional<PieceSizes> sizesOfPiece(const XmlElement& piece)
+std::optional<PieceSizes> sizesOfPiece(const text::XmlElement& piece)
 {
 	PieceSizes sizes;
 	if (piece.has("NumberOfPoints"))
@@ -288,7 +291,7 @@ std::optional<PieceSizes> sizesOfPiece(const XmlElement& piece)
 	}
 	if (!piece.has("Extent"))
 		return std::nullopt;
-	TextCursor at(piece.attribute("Extent"));
+	text::Cursor at(piece.attribute("Extent"));
 	sizes.points = sizes.cells = 1;
 	sizes.lattice.emplace();
 	for (std::uint64_t& points : *sizes.lattice)
@@ -306,35 +309,35 @@ std::optional<PieceSizes> sizesOfPiece(const XmlElement& piece)
 	return sizes;
 }
 
-std::vector<std::string> giveOwnNames(XmlElement& data)
+std::vector<std::string> giveOwnNames(text::XmlElement& data)
 {
 	std::set<std::string> lines;
-	for (XmlElement& child : data.children)
+	for (text::XmlElement& child : data.children)
 		if (holdsFields(child))
 			nameArrays(child, lines);
 		else if (child.name == "Piece")
-			for (XmlElement& section : child.children)
+			for (text::XmlElement& section : child.children)
 				if (holdsFields(section))
 					nameArrays(section, lines);
 	return {lines.begin(), lines.end()};
 }
 
-std::map<std::string, std::string> fieldsOf(const XmlElement& piece)
+std::map<std::string, std::string> fieldsOf(const text::XmlElement& piece)
 {
 	std::map<std::string, std::string> fields;
-	for (const XmlElement& section : piece.children)
+	for (const text::XmlElement& section : piece.children)
 		if (holdsFields(section))
-			for (const XmlElement& array : section.children)
+			for (const text::XmlElement& array : section.children)
 				fields[fmt::format("{} array {}", section.name.find("Point") != std::string::npos ? "point" : "cell",
 				                   array.attribute("Name"))] =
 				    fmt::format("{}, {} components", array.attribute("type"), componentsOf(array));
 	return fields;
 }
 
-void refuseOtherFields(const XmlElement& data)
+void refuseOtherFields(const text::XmlElement& data)
 {
 	std::optional<std::map<std::string, std::string>> first;
-	for (const XmlElement& child : data.children)
+	for (const text::XmlElement& child : data.children)
 	{
 		if (child.name != "Piece")
 			continue;
@@ -351,20 +354,22 @@ void refuseOtherFields(const XmlElement& data)
 	}
 }
 
-bool leaveOutStrangeKeys(XmlElement& data)
+bool leaveOutStrangeKeys(text::XmlElement& data)
 {
-	bool changes = std::erase_if(data.children, [](const XmlElement& child)
+	bool changes = std::erase_if(data.children, [](const text::XmlElement& child)
 	                             { return child.name == "InformationKey" && hasStrangeNumber(child); }) > 0;
-	for (XmlElement& child : data.children)
+	for (text::XmlElement& child : data.children)
 		changes |= leaveOutStrangeKeys(child);
 	return changes;
 }
 
-bool respellAttributes(XmlElement& data)
+bool respellAttributes(text::XmlElement& data)
 {
 	bool is_new = respell(data);
-	for (XmlElement& child : data.children)
+	for (text::XmlElement& child : data.children)
 		if (child.name == "Piece")
 			is_new |= respell(child);
 	return is_new;
 }
+
+} // namespace vp::reader::quick

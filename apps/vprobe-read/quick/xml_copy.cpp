@@ -1,6 +1,8 @@
 #include "xml_copy.h"
 
+#include "parts/part_bytes.h"
 #include "quick_file.h"
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/is_one_of.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/text/text_numbers.h"
@@ -8,19 +10,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
-#include <cstring>
 #include <map>
+#include <span>
 
 #include <fcntl.h>
 #include <unistd.h>
 
-using vp::grid::NumberType;
+namespace vp::reader::quick
+{
+
+using grid::NumberType;
 
 namespace
 {
-
-static_assert(std::endian::native == std::endian::little);
 
 std::string escapedText(std::string_view text)
 {
@@ -34,7 +36,7 @@ std::string escapedText(std::string_view text)
 	return words;
 }
 
-std::string startTag(const XmlElement& element, std::initializer_list<std::string_view> left_out = {})
+std::string startTag(const text::XmlElement& element, std::initializer_list<std::string_view> left_out = {})
 {
 	std::string tag = "<" + element.name;
 	for (const auto& [name, value] : element.attributes)
@@ -43,14 +45,14 @@ std::string startTag(const XmlElement& element, std::initializer_list<std::strin
 	return tag;
 }
 
-std::string_view contentOf(const XmlElement& element, std::string_view text)
+std::string_view contentOf(const text::XmlElement& element, std::string_view text)
 {
 	const std::uint64_t end = std::min<std::uint64_t>(element.content_end, text.size());
 	return element.content_begin < end ? text.substr(element.content_begin, end - element.content_begin)
 	                                   : std::string_view();
 }
 
-bool isArray(const XmlElement& element)
+bool isArray(const text::XmlElement& element)
 {
 	return isOneOf(element.name, {"DataArray", "Array"});
 }
@@ -68,24 +70,24 @@ void writeData(std::string_view content, MemoryFile& to)
 		const std::size_t tag = std::min(content.find('<'), content.size());
 		to.append(content.substr(0, tag));
 		content.remove_prefix(tag);
-		if (const std::size_t length = lengthOfMarkup(content); !content.empty())
+		if (const std::size_t length = text::lengthOfMarkup(content); !content.empty())
 			content.remove_prefix(length > 0 ? length : content.size());
 	}
 }
 
-void writeElement(const XmlElement& element, std::string_view text, MemoryFile& to)
+void writeElement(const text::XmlElement& element, std::string_view text, MemoryFile& to)
 {
 	to.append(startTag(element) + ">");
 	if (isArray(element))
 	{
 		writeData(contentOf(element, text), to);
-		for (const XmlElement& child : element.children)
+		for (const text::XmlElement& child : element.children)
 			writeElement(child, text, to);
 	}
 	else if (element.children.empty() && !isBlankText(element.text))
 		to.append(escapedText(element.text));
 	else
-		for (const XmlElement& child : element.children)
+		for (const text::XmlElement& child : element.children)
 			writeElement(child, text, to);
 	to.append("</" + element.name + ">\n");
 }
@@ -113,7 +115,7 @@ std::int64_t lastWhole(NumberType type, std::string_view bytes)
 	const auto last = [&](auto number) -> std::int64_t
 	{
 		if (bytes.size() >= sizeof number)
-			std::memcpy(&number, bytes.data() + bytes.size() - sizeof number, sizeof number);
+			number = numberAt<decltype(number)>(bytes.data() + bytes.size() - sizeof number);
 		return static_cast<std::int64_t>(number);
 	};
 	switch (type)
@@ -129,13 +131,6 @@ std::int64_t lastWhole(NumberType type, std::string_view bytes)
 	default:
 		return -1;
 	}
-}
-
-void swapEach(std::string& bytes, std::size_t each)
-{
-	for (std::size_t at = 0; at + each <= bytes.size(); at += each)
-		std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(at),
-		             bytes.begin() + static_cast<std::ptrdiff_t>(at + each));
 }
 
 std::size_t bytesOfValue(const XmlArray& array)
@@ -161,7 +156,7 @@ void checkBytes(const XmlArray& array, std::uint64_t bytes, std::int64_t last_of
 }
 
 // Returns all bytes of an array, as little endian.
-std::string unpacked(const XmlArray& array, int file, const XmlFile& given, const Packing& packing)
+std::string unpacked(const XmlArray& array, int file, const text::XmlFile& given, const arrays::Packing& packing)
 {
 	std::string bytes;
 	if (array.values == std::uint64_t(0))
@@ -169,29 +164,29 @@ std::string unpacked(const XmlArray& array, int file, const XmlFile& given, cons
 	try
 	{
 		const auto packed = openPacked(file, given, packing, *array.element);
-		Scratch scratch;
+		arrays::Scratch scratch;
 		for (std::size_t p = 0; p < packed->partCount(); ++p)
 		{
 			const auto part = packed->part(p, packed->size(), scratch);
 			bytes.append(reinterpret_cast<const char*>(part.data()), part.size());
 		}
 	}
-	catch (const NotQuick&)
+	catch (const arrays::NotQuick&)
 	{
 		throw damaged(fmt::format("{} cannot be unpacked", array.words));
 	}
 	if (packing.is_big_endian)
-		swapEach(bytes, bytesOfValue(array));
+		parts::swapNumbers(std::as_writable_bytes(std::span(bytes)), bytesOfValue(array));
 	return bytes;
 }
 
-std::optional<Packing> packingIfKnown(const XmlElement& root)
+std::optional<arrays::Packing> packingIfKnown(const text::XmlElement& root)
 {
 	try
 	{
 		return packingOf(root);
 	}
-	catch (const NotQuick&)
+	catch (const arrays::NotQuick&)
 	{
 		return std::nullopt;
 	}
@@ -215,7 +210,7 @@ public:
 		places_.resize(arrays.size());
 	}
 
-	void write(const XmlElement& element)
+	void write(const text::XmlElement& element)
 	{
 		const auto moved = moved_.find(&element);
 		if (moved == moved_.end() && isArray(element))
@@ -230,7 +225,7 @@ public:
 			to_.append(startTag(element) + ">");
 		if (element.children.empty() && moved == moved_.end() && !isBlankText(element.text))
 			to_.append(escapedText(element.text));
-		for (const XmlElement& child : element.children)
+		for (const text::XmlElement& child : element.children)
 			write(child);
 		to_.append("</" + element.name + ">\n");
 	}
@@ -241,7 +236,7 @@ public:
 	}
 
 private:
-	std::map<const XmlElement*, std::size_t> moved_;
+	std::map<const text::XmlElement*, std::size_t> moved_;
 	std::vector<std::uint64_t> places_;
 	std::string_view text_;
 	MemoryFile& to_;
@@ -257,8 +252,8 @@ struct Found
 // Reads the numbers of an array from text, and writes them to `to` unless it is null.
 Found takeText(const XmlArray& array, std::string_view text, MemoryFile* to)
 {
-	const TextNumbers numbers =
-	    readNumbers(contentOf(*array.element, text), *array.type, array.words, {.to = to, .is_xml = true});
+	const text::Numbers numbers =
+	    text::readNumbers(contentOf(*array.element, text), *array.type, array.words, {.to = to, .is_xml = true});
 	return {numbers.count * bytesOfValue(array), numbers.last, numbers.is_strange};
 }
 
@@ -286,10 +281,10 @@ void checkAll(const std::vector<XmlArray>& arrays, const std::vector<std::option
 
 } // namespace
 
-void writeElements(const XmlFile& xml, std::string_view text, MemoryFile& to)
+void writeElements(const text::XmlFile& xml, std::string_view text, MemoryFile& to)
 {
 	to.append("<?xml version=\"1.0\"?>\n" + startTag(xml.root) + ">\n");
-	for (const XmlElement& child : xml.root.children)
+	for (const text::XmlElement& child : xml.root.children)
 		if (child.name != "AppendedData")
 			writeElement(child, text, to);
 }
@@ -299,25 +294,25 @@ void writeAppendedStart(std::string_view encoding, MemoryFile& to)
 	to.append(fmt::format("<AppendedData encoding=\"{}\">_", escapedText(encoding)));
 }
 
-void writeEnd(const XmlFile& xml, bool has_appended, MemoryFile& to)
+void writeEnd(const text::XmlFile& xml, bool has_appended, MemoryFile& to)
 {
 	to.append(fmt::format("{}</{}>\n", has_appended ? "</AppendedData>" : "", xml.root.name));
 	to.end();
 }
 
-void writeAsBytes(const std::string& path, const XmlFile& given, const XmlFile& xml,
+void writeAsBytes(const std::string& path, const text::XmlFile& given, const text::XmlFile& xml,
                   const std::vector<XmlArray>& arrays, std::string_view text, MemoryFile& to)
 {
 	const bool has_bytes =
 	    std::ranges::any_of(arrays, [](const XmlArray& array) { return array.form != XmlArray::Form::text; });
-	const std::optional<Packing> packing = packingIfKnown(given.root);
+	const std::optional<arrays::Packing> packing = packingIfKnown(given.root);
 	if (has_bytes && !packing)
 		throw Refusal("an unknown compressor or byte order; save the file again, without compression");
 	const OpenFile file(path);
 	to.append("<?xml version=\"1.0\"?>\n" + startTag(xml.root, {"byte_order", "header_type", "compressor"}) +
 	          " byte_order=\"LittleEndian\" header_type=\"UInt64\">\n");
 	ElementsOfBytes elements(arrays, text, to);
-	for (const XmlElement& child : xml.root.children)
+	for (const text::XmlElement& child : xml.root.children)
 		if (child.name != "AppendedData")
 			elements.write(child);
 	writeAppendedStart("raw", to);
@@ -346,14 +341,14 @@ void writeAsBytes(const std::string& path, const XmlFile& given, const XmlFile& 
 	writeEnd(xml, true, to);
 }
 
-bool checkArrays(const std::string& path, const XmlFile& given, const std::vector<XmlArray>& arrays,
+bool checkArrays(const std::string& path, const text::XmlFile& given, const std::vector<XmlArray>& arrays,
                  std::string_view text)
 {
 	std::vector<std::optional<Found>> found(arrays.size());
 	bool is_strange = false;
 	const OpenFile file(path);
-	const std::optional<Packing> packing = packingIfKnown(given.root);
-	Scratch scratch;
+	const std::optional<arrays::Packing> packing = packingIfKnown(given.root);
+	arrays::Scratch scratch;
 	for (std::size_t i = 0; i < arrays.size(); ++i)
 	{
 		const XmlArray& array = arrays[i];
@@ -381,14 +376,14 @@ bool checkArrays(const std::string& path, const XmlFile& given, const std::vecto
 			std::string last(reinterpret_cast<const char*>(part.data()), part.size());
 			last.erase(0, last.size() - std::min(last.size(), bytesOfValue(array)));
 			if (packing->is_big_endian)
-				swapEach(last, bytesOfValue(array));
+				parts::swapNumbers(std::as_writable_bytes(std::span(last)), bytesOfValue(array));
 			found[i]->last = lastWhole(*array.type, last);
 		}
-		catch (const NotQuick&)
+		catch (const arrays::NotQuick&)
 		{
 			// For packed data, VTK's reader reports what is wrong, and it supports larger blocks.
 			const bool is_known = array.values || (array.offsets && arrays[*array.offsets].values.value_or(0) > 0);
-			if (packing->codec == Codec::none && is_known)
+			if (packing->codec == arrays::Codec::none && is_known)
 				throw damaged(fmt::format("{} is shorter than it should be", array.words));
 			found[i].reset();
 		}
@@ -396,3 +391,5 @@ bool checkArrays(const std::string& path, const XmlFile& given, const std::vecto
 	checkAll(arrays, found);
 	return !is_strange;
 }
+
+} // namespace vp::reader::quick

@@ -6,6 +6,9 @@
 
 #include <algorithm>
 
+namespace vp::reader::text
+{
+
 namespace
 {
 
@@ -56,3 +59,5 @@ MaybeGzip::MaybeGzip(const std::string& file)
       unpacked_(is_packed_ ? gunzipped(mapped_.text()) : "")
 {
 }
+
+} // namespace vp::reader::text

@@ -5,6 +5,9 @@
 #include <string>
 #include <string_view>
 
+namespace vp::reader::text
+{
+
 // The text of a whole file, unpacked if it is packed by gzip.
 class MaybeGzip
 {
@@ -17,3 +20,5 @@ private:
 	bool is_packed_;
 	std::string unpacked_;
 };
+
+} // namespace vp::reader::text

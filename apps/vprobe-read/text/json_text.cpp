@@ -5,6 +5,9 @@
 
 #include <fmt/format.h>
 
+namespace vp::reader::text
+{
+
 nlohmann::json parseJson(std::string_view text)
 {
 	using Event = nlohmann::json::parse_event_t;
@@ -17,3 +20,5 @@ nlohmann::json parseJson(std::string_view text)
 	};
 	return nlohmann::json::parse(text, limited, false);
 }
+
+} // namespace vp::reader::text

@@ -8,6 +8,9 @@
 #include <utility>
 #include <vector>
 
+namespace vp::reader::text
+{
+
 namespace
 {
 
@@ -191,3 +194,5 @@ std::string unitsDiffer(const std::array<std::string, 3>& units)
 	return fmt::format("the units of its axes ({}) cannot be converted into one; lengths are shown as they are",
 	                   fmt::join(words, ", "));
 }
+
+} // namespace vp::reader::text

@@ -5,6 +5,9 @@
 #include <string>
 #include <string_view>
 
+namespace vp::reader::text
+{
+
 // Returns the meters in a unit of length, by any name that programs write: "mm", "Millimeters", "micron", "nm", and µm
 // and Å with either character that looks so (U+00B5, U+03BC; U+00C5, U+212B), in UTF-8, Latin-1 or as "\u00B5". For
 // signs, upper and lower case differ (Mm is not mm); for words they do not. Returns nothing for other words, such as
@@ -26,3 +29,5 @@ OneLengthUnit oneLengthUnit(const std::array<std::string, 3>& units);
 
 // Returns the warning for units that differ.
 std::string unitsDiffer(const std::array<std::string, 3>& units);
+
+} // namespace vp::reader::text

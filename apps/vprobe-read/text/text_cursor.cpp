@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstring>
 #include <optional>
+
+namespace vp::reader::text
+{
 
 namespace
 {
@@ -29,24 +31,24 @@ std::string_view withoutSpace(std::string_view line)
 
 } // namespace
 
-void TextCursor::endsEarly() const
+void Cursor::endsEarly() const
 {
 	throw damaged("it ends before all that it announces");
 }
 
-void TextCursor::skipSpace()
+void Cursor::skipSpace()
 {
 	while (at_ < text_.size() && isSpace(text_[at_]))
 		++at_;
 }
 
-bool TextCursor::atEnd()
+bool Cursor::atEnd()
 {
 	skipSpace();
 	return at_ >= text_.size();
 }
 
-std::string_view TextCursor::line()
+std::string_view Cursor::line()
 {
 	if (at_ >= text_.size())
 		endsEarly();
@@ -56,14 +58,14 @@ std::string_view TextCursor::line()
 	return line;
 }
 
-std::string_view TextCursor::peekLine()
+std::string_view Cursor::peekLine()
 {
 	if (atEnd())
 		return {};
 	return withoutSpace(text_.substr(at_, text_.find('\n', at_) - at_));
 }
 
-std::string_view TextCursor::word()
+std::string_view Cursor::word()
 {
 	skipSpace();
 	const std::size_t start = at_;
@@ -74,7 +76,7 @@ std::string_view TextCursor::word()
 	return text_.substr(start, at_ - start);
 }
 
-std::int64_t TextCursor::integer()
+std::int64_t Cursor::integer()
 {
 	std::string_view digits = word();
 	if (digits.size() > 1 && digits[0] == '+')
@@ -86,15 +88,15 @@ std::int64_t TextCursor::integer()
 	return value;
 }
 
-double TextCursor::real()
+double Cursor::real()
 {
 	const std::string_view digits = word();
-	if (const std::optional<double> value = vp::parseReal(digits))
+	if (const std::optional<double> value = parseReal(digits))
 		return *value;
 	throw damaged(fmt::format("\"{}\" where a number is wanted", digits.substr(0, 20)));
 }
 
-std::size_t TextCursor::checkedCount(std::int64_t number, std::size_t least_bytes) const
+std::size_t Cursor::checkedCount(std::int64_t number, std::size_t least_bytes) const
 {
 	if (number < 0 ||
 	    static_cast<std::uint64_t>(number) > (text_.size() - at_) / std::max<std::size_t>(least_bytes, 1) + 1)
@@ -102,17 +104,15 @@ std::size_t TextCursor::checkedCount(std::int64_t number, std::size_t least_byte
 	return static_cast<std::size_t>(number);
 }
 
-void TextCursor::take(void* number, std::size_t bytes)
+const char* Cursor::take(std::size_t bytes)
 {
 	if (text_.size() - at_ < bytes)
 		endsEarly();
-	std::memcpy(number, text_.data() + at_, bytes);
 	at_ += bytes;
-	if (swaps_)
-		std::reverse(static_cast<char*>(number), static_cast<char*>(number) + bytes);
+	return text_.data() + at_ - bytes;
 }
 
-void TextCursor::skipPast(std::string_view wanted)
+void Cursor::skipPast(std::string_view wanted)
 {
 	for (std::size_t found = text_.find(wanted, at_); found != text_.npos; found = text_.find(wanted, found + 1))
 	{
@@ -126,3 +126,5 @@ void TextCursor::skipPast(std::string_view wanted)
 	}
 	throw damaged(fmt::format("it has no {}", wanted));
 }
+
+} // namespace vp::reader::text

@@ -1,15 +1,20 @@
 #pragma once
 
+#include "vprobe-read/base/bytes.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
 
+namespace vp::reader::text
+{
+
 // Walks through the numbers of a file, which are text or, if the file says so, bytes. Throws a Refusal past the end,
 // and if a word is not a number but should be one.
-class TextCursor
+class Cursor
 {
 public:
-	explicit TextCursor(std::string_view text) : text_(text) {}
+	explicit Cursor(std::string_view text) : text_(text) {}
 
 	bool atEnd(); // behind white space
 	std::string_view line();
@@ -23,7 +28,7 @@ public:
 
 	template <class Number>
 	Number binary();
-	void setSwaps(bool swaps) { swaps_ = swaps; }
+	void setOrder(ByteOrder order) { order_ = order; }
 
 	std::size_t place() const { return at_; }
 	void moveTo(std::size_t place) { at_ = place; }
@@ -34,17 +39,17 @@ public:
 
 private:
 	void skipSpace();
-	void take(void* number, std::size_t bytes);
+	const char* take(std::size_t bytes);
 
 	std::string_view text_;
 	std::size_t at_ = 0;
-	bool swaps_ = false;
+	ByteOrder order_ = ByteOrder::little;
 };
 
 template <class Number>
-Number TextCursor::binary()
+Number Cursor::binary()
 {
-	Number number;
-	take(&number, sizeof number);
-	return number;
+	return numberAt<Number>(take(sizeof(Number)), order_);
 }
+
+} // namespace vp::reader::text

@@ -1,6 +1,7 @@
 #include "text_numbers.h"
 
 #include "base/real_text.h"
+#include "parts/part_bytes.h"
 #include "vprobe-read/base/refusal.h"
 
 #include <fmt/format.h>
@@ -9,10 +10,14 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <type_traits>
 #include <vector>
 
-using vp::grid::NumberType;
+namespace vp::reader::text
+{
+
+using grid::NumberType;
 
 namespace
 {
@@ -33,7 +38,7 @@ public:
 		values_.reserve(kBatch);
 	}
 
-	TextNumbers read(std::string_view text)
+	Numbers read(std::string_view text)
 	{
 		const char* at = text.data();
 		const char* const end = at + text.size();
@@ -87,7 +92,7 @@ private:
 
 	T toNumber(std::string_view word) const
 	{
-		const std::optional<double> value = vp::parseReal(word);
+		const std::optional<double> value = parseReal(word);
 		if (!value)
 			throw damaged(fmt::format("\"{}\" in {} is no number", word.substr(0, 40), array_));
 		if constexpr (std::is_floating_point_v<T>)
@@ -111,11 +116,10 @@ private:
 	{
 		if (target_.to && !values_.empty())
 		{
-			auto* bytes = reinterpret_cast<char*>(values_.data());
+			const auto bytes = std::as_writable_bytes(std::span(values_));
 			if (target_.order == ByteOrder::big)
-				for (std::size_t i = 0; i < values_.size(); ++i)
-					std::reverse(bytes + i * sizeof(T), bytes + (i + 1) * sizeof(T));
-			target_.to->append({bytes, values_.size() * sizeof(T)});
+				parts::swapNumbers(bytes, sizeof(T));
+			target_.to->append({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 		}
 		values_.clear();
 	}
@@ -123,12 +127,12 @@ private:
 	const std::string& array_;
 	const NumberTarget& target_;
 	std::vector<T> values_;
-	TextNumbers found_;
+	Numbers found_;
 };
 
 } // namespace
 
-TextNumbers readNumbers(std::string_view text, NumberType type, const std::string& array, const NumberTarget& target)
+Numbers readNumbers(std::string_view text, NumberType type, const std::string& array, const NumberTarget& target)
 {
 	switch (type)
 	{
@@ -168,3 +172,5 @@ std::size_t lengthOfMarkup(std::string_view text)
 	const std::size_t found = text.find(closing);
 	return text.starts_with("<![") || found == text.npos ? 0 : found + closing.size();
 }
+
+} // namespace vp::reader::text

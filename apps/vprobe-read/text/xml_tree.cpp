@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <memory>
 
+namespace vp::reader::text
+{
+
 namespace
 {
 
@@ -230,3 +233,5 @@ std::optional<XmlFile> parseXml(std::string_view text, DocumentType type)
 	}
 	return file;
 }
+
+} // namespace vp::reader::text

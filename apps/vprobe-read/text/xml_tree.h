@@ -8,6 +8,9 @@
 #include <utility>
 #include <vector>
 
+namespace vp::reader::text
+{
+
 // Texts between tags are kept up to this length.
 constexpr std::size_t kMaxShortText = 4096;
 
@@ -46,3 +49,5 @@ enum class DocumentType
 // well formed, or has what no writer of these files makes, such as elements that are nested deeply. Throws a Refusal
 // for an entity that only another file could declare: no other file is ever opened.
 std::optional<XmlFile> parseXml(std::string_view text, DocumentType type = DocumentType::refused);
+
+} // namespace vp::reader::text

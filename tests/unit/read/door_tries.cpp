@@ -237,7 +237,7 @@ int main(int count, char** arguments)
 {
 	if (count != 18)
 		return 1;
-	Request request;
+	vp::reader::Request request;
 	request.solution = arguments[2];
 	request.format = arguments[8];
 	request.convert_folder = arguments[11];
@@ -254,13 +254,13 @@ int main(int count, char** arguments)
 	if (waits)
 		tellNumber(home + "/number");
 
-	Hold hold;
+	vp::reader::door::Hold hold;
 	if (request.sandbox != "off")
-		hold = closeDoor(openingFor(request));
-	refuseExec();
+		hold = vp::reader::door::closeDoor(vp::reader::door::openingFor(request));
+	vp::reader::door::refuseExec();
 	while (waits)
 		pause();
-	std::string told = "holds: " + holdText(hold) + "\n";
+	std::string told = "holds: " + vp::reader::door::holdText(hold) + "\n";
 	std::vector<Try> tries = whatReadersNeed(request.file);
 	tries.push_back({"read beside", [=] { return errorOfOpen(folder / "beside.txt", O_RDONLY); }});
 	if (!request.convert_folder.empty())

@@ -8,6 +8,17 @@
 #include <cmath>
 #include <map>
 
+using vp::reader::Refusal;
+using vp::reader::codes::FoamDocument;
+using vp::reader::codes::FoamField;
+using vp::reader::codes::foamField;
+using vp::reader::codes::FoamFiles;
+using vp::reader::codes::FoamPatch;
+using vp::reader::codes::FoamPatchValues;
+using vp::reader::codes::FoamSource;
+using vp::reader::codes::FoamUnknown;
+using vp::reader::codes::parseFoam;
+
 namespace
 {
 

@@ -6,6 +6,16 @@
 
 #include <gtest/gtest.h>
 
+using vp::reader::Refusal;
+using vp::reader::codes::FoamFaces;
+using vp::reader::codes::foamFaces;
+using vp::reader::codes::FoamHead;
+using vp::reader::codes::foamHead;
+using vp::reader::codes::foamLabels;
+using vp::reader::codes::FoamList;
+using vp::reader::codes::foamPatches;
+using vp::reader::codes::foamPoints;
+
 using Numbers = std::vector<double>;
 using Whole = std::vector<std::int64_t>;
 

@@ -64,7 +64,7 @@ bool isReadQuickly(const std::string& file)
 {
 	const Descriptor arrays(memfd_create("arrays", MFD_CLOEXEC));
 	const Descriptor cells(memfd_create("cells", MFD_CLOEXEC));
-	ArrayWriter array_writer(arrays.get());
-	ArrayWriter cell_writer(cells.get());
-	return readQuickly(file, {}, 2, array_writer, cell_writer).has_value();
+	vp::reader::arrays::Writer array_writer(arrays.get());
+	vp::reader::arrays::Writer cell_writer(cells.get());
+	return vp::reader::quick::readQuickly(file, {}, 2, array_writer, cell_writer).has_value();
 }

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+using vp::reader::text::lengthSign;
+using vp::reader::text::metersOf;
+using vp::reader::text::OneLengthUnit;
+using vp::reader::text::oneLengthUnit;
+
 namespace
 {
 

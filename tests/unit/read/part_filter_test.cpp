@@ -9,6 +9,9 @@
 #include <string>
 #include <vector>
 
+using vp::reader::InsidePart;
+using vp::reader::PartFilter;
+
 namespace
 {
 

@@ -6,6 +6,10 @@
 
 #include <cmath>
 
+using vp::reader::Refusal;
+using vp::reader::meshes::parseTecplot;
+using vp::reader::meshes::TecplotFile;
+
 namespace
 {
 

@@ -30,6 +30,10 @@ namespace
 {
 
 using grid::NumberType;
+using reader::arrays::Scratch;
+using reader::quick::ArrayKind;
+using reader::quick::onlyChild;
+using reader::text::XmlElement;
 using write::PolyData;
 using write::XmlArray;
 using write::xmlArray;
@@ -147,7 +151,7 @@ void expectArrays(vtkFieldData* read, const write::XmlArrays& arrays)
 }
 
 // The element's array, as our own reader unpacks it.
-std::vector<std::byte> unpacked(const QuickFile& file, const XmlElement& element, std::size_t bytes)
+std::vector<std::byte> unpacked(const reader::quick::File& file, const XmlElement& element, std::size_t bytes)
 {
 	const auto packed = file.open(element, bytes);
 	EXPECT_EQ(packed->size(), bytes);
@@ -195,7 +199,7 @@ TEST_F(PolyDataFile, VtkReadsTheSame)
 
 TEST_F(PolyDataFile, OurReaderFindsTheSame)
 {
-	const QuickFile file(written());
+	const reader::quick::File file(written());
 	EXPECT_EQ(file.type(), "PolyData");
 	const XmlElement& piece = onlyChild(file.data(), "Piece");
 	EXPECT_EQ(piece.attribute("NumberOfPoints"), "5");
@@ -236,8 +240,9 @@ TEST_F(PolyDataFile, NothingAtAll)
 	EXPECT_EQ(read->GetNumberOfCells(), 0);
 	EXPECT_TRUE(read->GetPointData()->GetArray("s"));
 	EXPECT_TRUE(read->GetCellData()->GetAbstractArray("words"));
-	EXPECT_EQ(
-	    arrayNamed(onlyChild(onlyChild(QuickFile(path_).data(), "Piece"), "PointData"), "s").attribute("RangeMin"), "");
+	EXPECT_EQ(arrayNamed(onlyChild(onlyChild(reader::quick::File(path_).data(), "Piece"), "PointData"), "s")
+	              .attribute("RangeMin"),
+	          "");
 }
 
 TEST_F(PolyDataFile, NamesDifferAndTheProgramsOwnComeFirst)

@@ -1,6 +1,7 @@
 // After the source of AMReX: AMReX_PlotFileUtil.cpp, AMReX_VisMF.cpp and AMReX_FabConv.cpp.
 #include "amrex_plotfile.h"
 
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/text/text_cursor.h"
 
@@ -9,7 +10,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstring>
+
+namespace vp::reader::codes
+{
 
 namespace
 {
@@ -55,7 +58,7 @@ void readAmrexBox(std::span<const std::int64_t> numbers, std::array<std::int64_t
 	}
 }
 
-std::int64_t countOf(TextCursor& at, std::int64_t most)
+std::int64_t countOf(text::Cursor& at, std::int64_t most)
 {
 	const std::int64_t count = at.integer();
 	if (count < 0 || count > most)
@@ -63,7 +66,7 @@ std::int64_t countOf(TextCursor& at, std::int64_t most)
 	return count;
 }
 
-double finite(TextCursor& at)
+double finite(text::Cursor& at)
 {
 	const double number = at.real();
 	if (!std::isfinite(number))
@@ -136,7 +139,7 @@ private:
 		plot_.folders.emplace_back(at_.word()); // Level_0/Cell
 	}
 
-	TextCursor at_;
+	text::Cursor at_;
 	AmrexPlot plot_;
 	std::size_t levels_ = 0;
 };
@@ -150,7 +153,7 @@ AmrexPlot parseAmrexHeader(std::string_view text)
 
 std::vector<AmrexBoxData> parseAmrexLevel(std::string_view text)
 {
-	TextCursor at(text);
+	text::Cursor at(text);
 	for (int line = 0; line < 4; ++line)
 		at.line();                                              // version, way of writing, components, ghost cells
 	const std::vector<std::int64_t> head = wholesIn(at.line()); // "(4 0"
@@ -195,7 +198,7 @@ std::vector<double> amrexValues(std::string_view file, const AmrexBoxData& box, 
 	if ((bits != 32 && bits != 64) || numbers.size() != at_box + 10 ||
 	    numbers.back() != static_cast<std::int64_t>(components))
 		throw damaged(fmt::format("{} has values at {} that are no plain numbers", box.file, box.offset));
-	const bool is_big_endian = numbers[10] == 1;
+	const ByteOrder order = byteOrder(numbers[10] == 1);
 	std::array<std::int64_t, 3> lo, hi;
 	readAmrexBox(std::span(numbers).subspan(at_box, 9), lo, hi);
 	std::array<std::uint64_t, 3> sides;
@@ -217,17 +220,10 @@ std::vector<double> amrexValues(std::string_view file, const AmrexBoxData& box, 
 				const std::uint64_t index = component * count + static_cast<std::uint64_t>(i - lo[0]) +
 				                            sides[0] * (static_cast<std::uint64_t>(j - lo[1]) +
 				                                        sides[1] * static_cast<std::uint64_t>(k - lo[2]));
-				std::array<char, 8> raw;
-				std::copy_n(bytes.data() + index * width, width, raw.data());
-				if (is_big_endian)
-					std::reverse(raw.begin(), raw.begin() + static_cast<std::ptrdiff_t>(width));
-				float single = 0.0f;
-				double number = 0.0;
-				if (width == 4)
-					std::memcpy(&single, raw.data(), 4), number = single;
-				else
-					std::memcpy(&number, raw.data(), 8);
-				values.push_back(number);
+				const char* place = bytes.data() + index * width;
+				values.push_back(width == 4 ? numberAt<float>(place, order) : numberAt<double>(place, order));
 			}
 	return values;
 }
+
+} // namespace vp::reader::codes

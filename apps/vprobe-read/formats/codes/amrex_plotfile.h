@@ -9,6 +9,9 @@
 #include <string_view>
 #include <vector>
 
+namespace vp::reader::codes
+{
+
 // The header of a plot file of AMReX or BoxLib, a folder.
 struct AmrexPlot
 {
@@ -19,7 +22,7 @@ struct AmrexPlot
 	std::vector<std::array<std::int64_t, 3>> first; // of a level's domain: the cell at `lo`
 	std::vector<std::string> folders;               // of the levels, with the start of their files' names
 	bool is_cartesian = true;
-	AmrLevels levels; // boxes without files
+	boxes::AmrLevels levels; // boxes without files
 };
 
 // Where the values of a level's boxes are.
@@ -37,3 +40,5 @@ std::vector<AmrexBoxData> parseAmrexLevel(std::string_view text);
 // The values of one component of a box, as a file has them from an offset on: those of the box alone.
 std::vector<double> amrexValues(std::string_view file, const AmrexBoxData& box, std::size_t components,
                                 std::size_t component);
+
+} // namespace vp::reader::codes

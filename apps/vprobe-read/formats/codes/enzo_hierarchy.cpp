@@ -14,6 +14,9 @@
 #include <limits>
 #include <optional>
 
+namespace vp::reader::codes
+{
+
 namespace
 {
 
@@ -32,7 +35,7 @@ std::string_view withoutSpace(std::string_view text)
 	return first == text.npos ? std::string_view() : text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
 }
 
-std::optional<EnzoLine> nextEnzoLine(TextCursor& at)
+std::optional<EnzoLine> nextEnzoLine(text::Cursor& at)
 {
 	while (!at.atEnd())
 	{
@@ -45,7 +48,7 @@ std::optional<EnzoLine> nextEnzoLine(TextCursor& at)
 
 std::array<double, 3> threeNumbers(const EnzoLine& line)
 {
-	TextCursor at(line.values);
+	text::Cursor at(line.values);
 	std::array<double, 3> numbers;
 	for (double& number : numbers)
 		if (number = at.real(); !std::isfinite(number))
@@ -77,7 +80,7 @@ public:
 private:
 	static std::int64_t number(const EnzoLine& line)
 	{
-		TextCursor at(line.values);
+		text::Cursor at(line.values);
 		const std::int64_t value = at.integer();
 		if (value < 0)
 			throw damaged(fmt::format("{} is {}", line.name, value));
@@ -102,7 +105,7 @@ private:
 		else if (line.name == "BaryonFileName")
 			grid.file = line.values;
 		else if (line.name == "Time" && hierarchy_.grids.size() == 1)
-			hierarchy_.time = TextCursor(line.values).real();
+			hierarchy_.time = text::Cursor(line.values).real();
 	}
 
 	void finishGrid()
@@ -120,23 +123,23 @@ private:
 				throw damaged(fmt::format("grid {} has {} cells along an axis", grid.number, cells));
 			grid.box.cells[axis] = static_cast<std::size_t>(cells);
 		}
-		imageOfBox(grid.box); // which refuses what cannot be
+		boxes::imageOfBox(grid.box); // which refuses what cannot be
 	}
 
-	TextCursor at_;
+	text::Cursor at_;
 	EnzoHierarchy hierarchy_{{}, std::numeric_limits<double>::quiet_NaN()};
 	std::array<double, 3> first_{}, last_{};
 	int found_ = 0;
 	std::int64_t last_named_ = 0;
 };
 
-double spacingOf(const CellBox& box, std::size_t axis)
+double spacingOf(const boxes::CellBox& box, std::size_t axis)
 {
 	return (box.hi[axis] - box.lo[axis]) / static_cast<double>(box.cells[axis]);
 }
 
 // Where a box begins among the cells of its size, counted from a corner.
-int firstCell(const CellBox& box, std::size_t axis, double corner)
+int firstCell(const boxes::CellBox& box, std::size_t axis, double corner)
 {
 	const double place = (box.lo[axis] - corner) / spacingOf(box, axis);
 	if (!(std::abs(place) < INT_MAX / 2) || std::abs(place - std::round(place)) > 0.01)
@@ -151,7 +154,7 @@ EnzoHierarchy parseEnzoHierarchy(std::string_view text)
 	return EnzoParser(text).parse();
 }
 
-AmrLevels enzoLevels(const EnzoHierarchy& hierarchy)
+boxes::AmrLevels enzoLevels(const EnzoHierarchy& hierarchy)
 {
 	std::vector<double> spacings; // of the levels, along x
 	for (const EnzoGrid& grid : hierarchy.grids)
@@ -162,7 +165,7 @@ AmrLevels enzoLevels(const EnzoHierarchy& hierarchy)
 	if (spacings.size() > kMaxEnzoLevels)
 		throw damaged(fmt::format("grids of {} levels", spacings.size()));
 
-	AmrLevels levels;
+	boxes::AmrLevels levels;
 	levels.boxes.resize(spacings.size());
 	for (std::size_t level = 0; level + 1 < spacings.size(); ++level)
 	{
@@ -181,7 +184,7 @@ AmrLevels enzoLevels(const EnzoHierarchy& hierarchy)
 		const auto level = static_cast<std::size_t>(
 		    std::ranges::find_if(spacings, [&](double spacing) { return isSame(spacing, spacingOf(grid.box, 0)); }) -
 		    spacings.begin());
-		AmrBox box = {{}, {}, grid.file, g};
+		boxes::AmrBox box = {{}, {}, grid.file, g};
 		for (std::size_t axis = 0; axis < 3; ++axis)
 		{
 			box.lo[axis] = firstCell(grid.box, axis, corner[axis]);
@@ -200,7 +203,7 @@ std::map<std::string, double> enzoFactors(const std::string& hierarchy)
 	if (!std::filesystem::is_regular_file(file, ignored))
 		return {};
 	const MappedText text(file);
-	TextCursor at(text.text());
+	text::Cursor at(text.text());
 	std::map<std::string, std::string> labels;
 	std::map<std::string, double> by_index, factors;
 	while (const std::optional<EnzoLine> line = nextEnzoLine(at))
@@ -211,7 +214,7 @@ std::map<std::string, double> enzoFactors(const std::string& hierarchy)
 		if (name == "DataLabel")
 			labels[index] = line->values;
 		else if (name == "#DataCGSConversionFactor")
-			if (const double factor = TextCursor(line->values).real(); std::isfinite(factor) && factor != 0.0)
+			if (const double factor = text::Cursor(line->values).real(); std::isfinite(factor) && factor != 0.0)
 				by_index[index] = factor;
 	}
 	for (const auto& [index, label] : labels)
@@ -219,3 +222,5 @@ std::map<std::string, double> enzoFactors(const std::string& hierarchy)
 			factors[label] = by_index[index];
 	return factors;
 }
+
+} // namespace vp::reader::codes

@@ -9,10 +9,13 @@
 #include <string_view>
 #include <vector>
 
+namespace vp::reader::codes
+{
+
 struct EnzoGrid
 {
 	std::size_t number; // from 1
-	CellBox box;
+	boxes::CellBox box;
 	std::string file;
 };
 
@@ -26,8 +29,10 @@ struct EnzoHierarchy
 EnzoHierarchy parseEnzoHierarchy(std::string_view text);
 
 // The grids by their levels, from the coarsest; the number of a box is its place in the list of grids.
-AmrLevels enzoLevels(const EnzoHierarchy& hierarchy);
+boxes::AmrLevels enzoLevels(const EnzoHierarchy& hierarchy);
 
 // What the values of a variable are multiplied with to be in CGS units: from the file of parameters, which has the
 // hierarchy's name without its ending. Empty where that says nothing.
 std::map<std::string, double> enzoFactors(const std::string& hierarchy);
+
+} // namespace vp::reader::codes

@@ -17,6 +17,9 @@
 #include <optional>
 #include <unordered_map>
 
+namespace vp::reader::codes
+{
+
 namespace
 {
 
@@ -36,12 +39,12 @@ std::vector<std::int64_t> fluentHead(const FluentSection& section)
 	return numbers;
 }
 
-std::int64_t fluentWhole(const FluentSection& section, TextCursor& at)
+std::int64_t fluentWhole(const FluentSection& section, text::Cursor& at)
 {
 	return section.is_binary ? at.binary<std::int32_t>() : hexadecimalWord(at);
 }
 
-double fluentReal(const FluentSection& section, TextCursor& at)
+double fluentReal(const FluentSection& section, text::Cursor& at)
 {
 	return !section.is_binary ? at.real() : section.number >= 3000 ? at.binary<double>() : at.binary<float>();
 }
@@ -79,7 +82,7 @@ private:
 	void readNodes(const FluentSection& section);
 	void readCells(const FluentSection& section);
 	void readFaces(const FluentSection& section);
-	void readFace(const FluentSection& section, TextCursor& at, std::int64_t kind);
+	void readFace(const FluentSection& section, text::Cursor& at, std::int64_t kind);
 	void readName(const FluentSection& section);
 	void check() const;
 
@@ -103,7 +106,7 @@ void FluentCaseParser::readNodes(const FluentSection& section)
 		return; // of none
 	if (section.body == 0)
 		throw damaged("a zone of nodes without their places");
-	TextCursor at = sections_.bodyOf(section);
+	text::Cursor at = sections_.bodyOf(section);
 	const std::size_t width = !section.is_binary ? 2 : section.number >= 3000 ? 8 : 4;
 	const std::size_t count = at.checkedCount(head[2] - head[1] + 1, 3 * width - 1);
 	if (head[1] < 1 || head[2] > nodes_)
@@ -133,7 +136,7 @@ void FluentCaseParser::readCells(const FluentSection& section)
 	sections_.skip(section); // kinds of elements: the faces tell them too
 }
 
-void FluentCaseParser::readFace(const FluentSection& section, TextCursor& at, std::int64_t kind)
+void FluentCaseParser::readFace(const FluentSection& section, text::Cursor& at, std::int64_t kind)
 {
 	const bool counts = kind == kMixedFaces || kind == kPolygonalFaces;
 	const std::int64_t corners = counts ? fluentWhole(section, at) : kind;
@@ -177,7 +180,7 @@ void FluentCaseParser::readFaces(const FluentSection& section)
 		sections_.skip(section);
 		return;
 	}
-	TextCursor at = sections_.bodyOf(section);
+	text::Cursor at = sections_.bodyOf(section);
 	const std::size_t count = at.checkedCount(head[2] - head[1] + 1, 8);
 	for (std::size_t f = 0; f < count; ++f)
 		readFace(section, at, head[4]);
@@ -187,7 +190,7 @@ void FluentCaseParser::readFaces(const FluentSection& section)
 // "(39 (ID TYPE NAME DOMAIN) ...)" with decimal numbers.
 void FluentCaseParser::readName(const FluentSection& section)
 {
-	TextCursor at(section.head);
+	text::Cursor at(section.head);
 	const std::int64_t id = at.integer();
 	at.word();
 	if (!at.atEnd())
@@ -281,15 +284,15 @@ vtkSmartPointer<vtkUnstructuredGrid> fluentGrid(const FluentCase& mesh, const Fl
 			id = points->InsertNextPoint(mesh.coordinates.data() + 3 * static_cast<std::size_t>(node));
 		return id;
 	};
-	GrownCells cells;
-	std::vector<FaceCorners> faces;
+	cells::GrownCells cells;
+	std::vector<cells::FaceCorners> faces;
 	for (std::size_t c = 0; c + 1 < of.starts.size(); ++c)
 	{
 		faces.clear();
 		for (std::size_t i = of.starts[c]; i < of.starts[c + 1]; ++i)
 		{
 			const auto face = static_cast<std::size_t>(of.faces[i]);
-			FaceCorners corners;
+			cells::FaceCorners corners;
 			for (std::size_t k = mesh.face_starts[face]; k < mesh.face_starts[face + 1]; ++k)
 				corners.push_back(pointOf(mesh.corners[k]));
 			// Seen with its corners counterclockwise, a face has its second cell behind it.
@@ -299,10 +302,12 @@ vtkSmartPointer<vtkUnstructuredGrid> fluentGrid(const FluentCase& mesh, const Fl
 		}
 		if (faces.size() < 4)
 			throw damaged(fmt::format("cell {} has {} faces", zone.first + static_cast<std::int64_t>(c), faces.size()));
-		addCellOfFaces(cells, faces);
+		cells::addCellOfFaces(cells, faces);
 	}
 	auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
 	grid->SetPoints(points);
 	cells.fill(grid);
 	return grid;
 }
+
+} // namespace vp::reader::codes

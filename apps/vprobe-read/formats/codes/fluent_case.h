@@ -11,6 +11,9 @@
 
 class vtkUnstructuredGrid;
 
+namespace vp::reader::codes
+{
+
 // Cells whose numbers follow each other, from 0.
 struct FluentZone
 {
@@ -36,3 +39,5 @@ FluentCase parseFluentCase(std::string_view text);
 
 // The cells of a zone, with the points that they use.
 vtkSmartPointer<vtkUnstructuredGrid> fluentGrid(const FluentCase& mesh, const FluentZone& zone);
+
+} // namespace vp::reader::codes

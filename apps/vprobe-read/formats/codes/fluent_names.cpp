@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <string_view>
 
+namespace vp::reader::codes
+{
+
 namespace
 {
 
@@ -100,3 +103,5 @@ std::string fluentName(std::int64_t number)
 			return fmt::format("{}_{:02}", row.name, number - row.number);
 	return fmt::format("field {}", number);
 }
+
+} // namespace vp::reader::codes

@@ -6,6 +6,9 @@
 
 #include <charconv>
 
+namespace vp::reader::codes
+{
+
 namespace
 {
 
@@ -82,7 +85,7 @@ bool FluentSections::next(FluentSection& section)
 	const std::size_t close = endOfList(at + 1);
 	section.head = text_.substr(at + 1, close - at - 1);
 	if (section.kind() == 4 && !section.is_binary)
-		swaps_ = !section.head.starts_with(kFluentLittleEndian);
+		order_ = byteOrder(!section.head.starts_with(kFluentLittleEndian));
 	at = close + 1;
 	while (at < text_.size() && isFluentBlank(text_[at]))
 		++at;
@@ -95,11 +98,11 @@ bool FluentSections::next(FluentSection& section)
 	return true;
 }
 
-TextCursor FluentSections::bodyOf(const FluentSection& section) const
+text::Cursor FluentSections::bodyOf(const FluentSection& section) const
 {
-	TextCursor body(text_.substr(0, section.end));
+	text::Cursor body(text_.substr(0, section.end));
 	body.moveTo(section.body);
-	body.setSwaps(swaps_);
+	body.setOrder(order_);
 	return body;
 }
 
@@ -111,7 +114,7 @@ std::size_t FluentSections::endOfBinary(std::size_t from) const
 	return end;
 }
 
-void FluentSections::endBody(const FluentSection& section, TextCursor& body)
+void FluentSections::endBody(const FluentSection& section, text::Cursor& body)
 {
 	// Between the bytes and the mark of their end are a line end and a parenthesis.
 	constexpr std::size_t kMaxBetween = 8;
@@ -130,7 +133,7 @@ void FluentSections::skip(const FluentSection& section)
 	at_.moveTo(close + 1);
 }
 
-std::int64_t hexadecimalWord(TextCursor& at)
+std::int64_t hexadecimalWord(text::Cursor& at)
 {
 	const std::string_view digits = at.word();
 	std::int64_t value = 0;
@@ -139,3 +142,5 @@ std::int64_t hexadecimalWord(TextCursor& at)
 		throw damaged(fmt::format("\"{}\" where a hexadecimal number is wanted", digits.substr(0, 20)));
 	return value;
 }
+
+} // namespace vp::reader::codes

@@ -6,6 +6,9 @@
 #include <string_view>
 #include <vector>
 
+namespace vp::reader::codes
+{
+
 // A part of a Fluent case or data file: "(NUMBER (HEAD) (BODY))", in text or, from number 2000 on, with a binary body.
 struct FluentSection
 {
@@ -29,14 +32,14 @@ public:
 
 	bool next(FluentSection& section);
 	// A reader that stands at the body of the section, with the order of bytes that the file told so far.
-	TextCursor bodyOf(const FluentSection& section) const;
+	text::Cursor bodyOf(const FluentSection& section) const;
 	// Goes on behind a section whose body was read. It must end where its reading did.
-	void endBody(const FluentSection& section, TextCursor& body);
+	void endBody(const FluentSection& section, text::Cursor& body);
 	void skip(const FluentSection& section);
-	// As of a TextCursor at the start of the file.
+	// As of a text::Cursor at the start of the file.
 	std::size_t checkedCount(std::int64_t number, std::size_t least_bytes) const
 	{
-		return TextCursor(text_).checkedCount(number, least_bytes);
+		return text::Cursor(text_).checkedCount(number, least_bytes);
 	}
 
 private:
@@ -44,9 +47,11 @@ private:
 	std::size_t endOfBinary(std::size_t from) const;
 
 	std::string_view text_;
-	TextCursor at_;
-	bool swaps_ = false;
+	text::Cursor at_;
+	ByteOrder order_ = ByteOrder::little;
 };
 
 // A whole number in hexadecimal.
-std::int64_t hexadecimalWord(TextCursor& at);
+std::int64_t hexadecimalWord(text::Cursor& at);
+
+} // namespace vp::reader::codes

@@ -12,6 +12,9 @@
 #include <limits>
 #include <vector>
 
+namespace vp::reader::codes
+{
+
 namespace
 {
 
@@ -104,3 +107,5 @@ vtkSmartPointer<vtkDataArray> foamAverages(const FoamMesh& mesh, vtkUnstructured
 		array->SetTuple(static_cast<vtkIdType>(p), means.at(p));
 	return array;
 }
+
+} // namespace vp::reader::codes

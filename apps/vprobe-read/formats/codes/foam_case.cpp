@@ -14,6 +14,9 @@
 #include <set>
 #include <system_error>
 
+namespace vp::reader::codes
+{
+
 namespace fs = std::filesystem;
 
 namespace
@@ -49,7 +52,7 @@ bool isBackup(const std::string& name)
 // Digits as the programs name their folders: "0", "1e-05", "-0.5".
 bool isTime(const std::string& name)
 {
-	const std::optional<double> value = vp::parseReal(name);
+	const std::optional<double> value = parseReal(name);
 	return value && std::isfinite(*value) && name.find_first_not_of("0123456789+-.eE") == name.npos;
 }
 
@@ -68,7 +71,7 @@ std::optional<FoamSource> openSource(const fs::path& path)
 	const fs::path file = thereOrPacked(path);
 	if (file.empty())
 		return std::nullopt;
-	const auto text = std::make_shared<const MaybeGzip>(file.string());
+	const auto text = std::make_shared<const text::MaybeGzip>(file.string());
 	return FoamSource{file, text, text->text()};
 }
 
@@ -97,7 +100,7 @@ std::vector<FoamTime> foamTimes(const fs::path& folder)
 	std::vector<FoamTime> times;
 	for (const fs::path& each : foldersIn(folder))
 		if (const std::string name = each.filename().string(); isTime(name))
-			times.push_back({name, *vp::parseReal(name)});
+			times.push_back({name, *parseReal(name)});
 	std::ranges::sort(times, {}, [](const FoamTime& time) { return std::pair(time.value, time.name); });
 	return times;
 }
@@ -107,7 +110,7 @@ auto FoamCase::parsed(const fs::path& file, const Parse& parse, const std::optio
 {
 	try
 	{
-		return text ? parse(*text) : parse(MaybeGzip(file.string()).text());
+		return text ? parse(*text) : parse(text::MaybeGzip(file.string()).text());
 	}
 	catch (const FoamUnknown&)
 	{
@@ -229,3 +232,5 @@ FoamField FoamCase::field(const FoamFieldFile& file, const FoamMesh& mesh) const
 		                               is_of_cells ? std::span(mesh.patches) : std::span<const FoamPatch>());
 	              });
 }
+
+} // namespace vp::reader::codes

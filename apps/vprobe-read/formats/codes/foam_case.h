@@ -11,6 +11,9 @@
 #include <utility>
 #include <vector>
 
+namespace vp::reader::codes
+{
+
 // The mesh of a region. All of its numbers fit together.
 struct FoamMesh
 {
@@ -69,3 +72,5 @@ private:
 	std::filesystem::path folder_;
 	std::vector<std::string> times_;
 };
+
+} // namespace vp::reader::codes

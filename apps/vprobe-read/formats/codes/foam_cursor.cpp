@@ -1,17 +1,18 @@
 #include "foam_cursor.h"
 
 #include "base/real_text.h"
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/refusal.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cctype>
 #include <charconv>
-#include <cstring>
 #include <optional>
+
+namespace vp::reader::codes
+{
 
 namespace
 {
@@ -218,7 +219,7 @@ std::int64_t FoamCursor::integer()
 double FoamCursor::real()
 {
 	const std::string_view digits = number();
-	if (const std::optional<double> value = vp::parseReal(digits))
+	if (const std::optional<double> value = parseReal(digits))
 		return *value;
 	throw damaged(fmt::format("\"{}\" where a number is wanted", digits.substr(0, 20)));
 }
@@ -250,13 +251,8 @@ void FoamCursor::bytes(std::size_t count, std::vector<As>& numbers)
 	numbers.resize(count);
 	for (As& number : numbers)
 	{
-		std::array<char, sizeof(Number)> written;
-		std::memcpy(written.data(), text_.data() + at_, sizeof(Number));
+		number = static_cast<As>(numberAt<Number>(text_.data() + at_, byteOrder(head_.is_big_endian)));
 		at_ += sizeof(Number);
-		if (head_.is_big_endian != (std::endian::native == std::endian::big))
-			std::reverse(written.begin(), written.end());
-		const auto as_written = std::bit_cast<Number>(written);
-		number = static_cast<As>(as_written);
 	}
 }
 
@@ -365,3 +361,5 @@ FoamFaces FoamCursor::faces(bool is_compact)
 	expect(')');
 	return faces;
 }
+
+} // namespace vp::reader::codes

@@ -8,6 +8,9 @@
 #include <string_view>
 #include <vector>
 
+namespace vp::reader::codes
+{
+
 struct FoamToken
 {
 	enum class Kind
@@ -70,3 +73,5 @@ private:
 
 // How many numbers the type has that stands in a list's brackets, as "vector"; 0 for other types.
 int foamComponents(std::string_view type);
+
+} // namespace vp::reader::codes

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <utility>
 
+namespace vp::reader::codes
+{
+
 namespace
 {
 
@@ -108,3 +111,5 @@ void FoamDictionary::remove(std::string_view name)
 		patterns_ += entries_[i].pattern != nullptr;
 	}
 }
+
+} // namespace vp::reader::codes

@@ -12,6 +12,9 @@
 #include <string_view>
 #include <vector>
 
+namespace vp::reader::codes
+{
+
 class FoamDictionary;
 class FoamPattern;
 
@@ -88,3 +91,5 @@ void parseFoamEntries(FoamCursor& at, FoamDictionary& into, char end);
 
 // A file's head, which begins it.
 FoamHead parseFoamHead(FoamCursor& at);
+
+} // namespace vp::reader::codes

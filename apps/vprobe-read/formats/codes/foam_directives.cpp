@@ -10,6 +10,9 @@
 
 #include <cctype>
 
+namespace vp::reader::codes
+{
+
 namespace fs = std::filesystem;
 
 namespace
@@ -33,7 +36,7 @@ bool isTrue(std::string_view word)
 		return true;
 	if (isOneOf(word, {"false", "no", "off", "n", "f", "none"}))
 		return false;
-	if (const std::optional<double> number = vp::parseReal(word))
+	if (const std::optional<double> number = parseReal(word))
 		return *number != 0;
 	throw Refusal(fmt::format("its condition #if {} is not read", word.substr(0, 20)));
 }
@@ -216,3 +219,5 @@ void FoamParser::includeValue(std::string_view directive, FoamInput& in, const F
 	else if (needsFile(directive))
 		entry.unknown = lackOf(directive);
 }
+
+} // namespace vp::reader::codes

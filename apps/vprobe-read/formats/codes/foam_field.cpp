@@ -9,6 +9,9 @@
 #include <algorithm>
 #include <optional>
 
+namespace vp::reader::codes
+{
+
 namespace
 {
 
@@ -54,7 +57,7 @@ public:
 		for (int c = 0; c < components_; ++c)
 		{
 			const std::string_view word = next().text;
-			const std::optional<double> number = vp::parseReal(word);
+			const std::optional<double> number = parseReal(word);
 			if (!number)
 				throw damaged(fmt::format("\"{}\" where a number is wanted", word.substr(0, 20)));
 			numbers.push_back(*number);
@@ -91,7 +94,7 @@ private:
 		if (!take('['))
 			return;
 		while (!take(']'))
-			if (const std::string_view word = next().text; !vp::parseReal(word))
+			if (const std::string_view word = next().text; !parseReal(word))
 				throw FoamUnknown(fmt::format("its unit [{}] is not converted", word.substr(0, 20)));
 	}
 
@@ -111,7 +114,7 @@ private:
 		if (at_ < tokens_.size() && !tokens_[at_].isMark('('))
 		{
 			const std::string_view word = next().text;
-			const std::optional<double> count = vp::parseReal(word);
+			const std::optional<double> count = parseReal(word);
 			if (!count || !(*count >= 0) || *count > 1e18)
 				throw damaged(fmt::format("\"{}\" where a list is wanted", word.substr(0, 40)));
 			announced = static_cast<std::size_t>(*count);
@@ -163,7 +166,7 @@ std::shared_ptr<const FoamList> constantOf(const FoamEntry& entry, int component
 	std::vector<FoamToken> tokens = entry.tokens;
 	if (!tokens.empty() && isOneOf(tokens[0].text, {"constant", "uniform"}))
 		tokens.erase(tokens.begin());
-	const bool is_number = !tokens.empty() && (tokens[0].isMark('(') || vp::parseReal(tokens[0].text));
+	const bool is_number = !tokens.empty() && (tokens[0].isMark('(') || parseReal(tokens[0].text));
 	if (!entry.unknown.empty() || !is_number)
 		throw FoamUnknown("its uniformValue is no constant");
 	std::vector<double> numbers;
@@ -300,3 +303,5 @@ FoamField foamField(const FoamDocument& document, std::size_t elements, std::spa
 	}
 	return field;
 }
+
+} // namespace vp::reader::codes

@@ -9,6 +9,9 @@
 #include <string_view>
 #include <vector>
 
+namespace vp::reader::codes
+{
+
 // A file is sound, but its values cannot be told without running code or looking elsewhere.
 class FoamUnknown : public Refusal
 {
@@ -35,3 +38,5 @@ int foamComponentsOfField(std::string_view type);
 // A field of so many elements, on a mesh with these patches. Patches take their entries by their own names, else by
 // those of their groups, else by patterns. Throws FoamUnknown, or a Refusal for what is damaged.
 FoamField foamField(const FoamDocument& document, std::size_t elements, std::span<const FoamPatch> patches);
+
+} // namespace vp::reader::codes

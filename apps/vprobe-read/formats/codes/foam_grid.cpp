@@ -15,6 +15,9 @@
 #include <array>
 #include <vector>
 
+namespace vp::reader::codes
+{
+
 namespace
 {
 
@@ -57,8 +60,8 @@ vtkSmartPointer<vtkDataArray> foamArray(const FoamList& list, std::size_t elemen
 
 vtkSmartPointer<vtkUnstructuredGrid> foamGrid(const FoamMesh& mesh)
 {
-	GrownCells cells;
-	addCellsByFaces(cells, {mesh.faces.starts, mesh.faces.corners, mesh.owners, mesh.neighbours, mesh.cells});
+	cells::GrownCells cells;
+	cells::addCellsByFaces(cells, {mesh.faces.starts, mesh.faces.corners, mesh.owners, mesh.neighbours, mesh.cells});
 	auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
 	vtkNew<vtkPoints> points;
 	points->SetData(foamArray(mesh.points, mesh.points.size(), mesh.is_double));
@@ -99,3 +102,5 @@ vtkSmartPointer<vtkPolyData> foamFacesOf(const FoamMesh& mesh, std::span<const F
 	data->SetPolys(polygons);
 	return data;
 }
+
+} // namespace vp::reader::codes

@@ -10,6 +10,9 @@ class vtkDataArray;
 class vtkPolyData;
 class vtkUnstructuredGrid;
 
+namespace vp::reader::codes
+{
+
 // The cells of a mesh. Throws a Refusal if a cell has fewer than four faces.
 vtkSmartPointer<vtkUnstructuredGrid> foamGrid(const FoamMesh& mesh);
 
@@ -21,3 +24,5 @@ vtkSmartPointer<vtkDataArray> foamArray(const FoamList& list, std::size_t elemen
 
 // Copies an element of a list, with its components in VTK's order.
 void foamTuple(const FoamList& list, std::size_t element, double* tuple);
+
+} // namespace vp::reader::codes

@@ -9,6 +9,9 @@
 #include <algorithm>
 #include <utility>
 
+namespace vp::reader::codes
+{
+
 namespace
 {
 
@@ -248,3 +251,5 @@ std::unique_ptr<FoamDocument> parseFoam(std::string_view text, const FoamFiles& 
 	FoamParser(files, document->included, document->skipped).readEntries(in, document->root, 0);
 	return document;
 }
+
+} // namespace vp::reader::codes

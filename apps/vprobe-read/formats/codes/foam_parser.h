@@ -8,6 +8,9 @@
 #include <string_view>
 #include <vector>
 
+namespace vp::reader::codes
+{
+
 constexpr std::string_view kFoamHeadName = "FoamFile";
 constexpr int kMaxFoamNesting = 64; // of braces and of included files
 
@@ -81,3 +84,5 @@ private:
 	int conditions_ = 0; // open ones
 	std::size_t work_ = 0;
 };
+
+} // namespace vp::reader::codes

@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+namespace vp::reader::codes
+{
+
 namespace
 {
 
@@ -39,3 +42,5 @@ bool FoamPattern::fits(std::string_view name) const
 {
 	return name.size() <= kMaxMatched && regexec(&compiled_, std::string(name).c_str(), 0, nullptr, 0) == 0;
 }
+
+} // namespace vp::reader::codes

@@ -5,6 +5,9 @@
 
 #include <regex.h>
 
+namespace vp::reader::codes
+{
+
 // A key in quotes: an extended regular expression of POSIX that has to fit the whole name, as OpenFOAM takes it.
 class FoamPattern
 {
@@ -20,3 +23,5 @@ public:
 private:
 	regex_t compiled_;
 };
+
+} // namespace vp::reader::codes

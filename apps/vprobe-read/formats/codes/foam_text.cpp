@@ -5,6 +5,9 @@
 
 #include <charconv>
 
+namespace vp::reader::codes
+{
+
 namespace
 {
 
@@ -95,3 +98,5 @@ std::vector<FoamPatch> foamPatches(std::string_view text)
 	}
 	return patches;
 }
+
+} // namespace vp::reader::codes

@@ -6,6 +6,9 @@
 #include <string_view>
 #include <vector>
 
+namespace vp::reader::codes
+{
+
 // Files of OpenFOAM that hold lists, as text or as bytes, in the precision that they have. What is not understood is a
 // Refusal.
 
@@ -65,3 +68,5 @@ FoamFaces foamFaces(std::string_view text);
 // At most so many, as a list of equal ones takes no room.
 std::vector<std::int64_t> foamLabels(std::string_view text, std::size_t most);
 std::vector<FoamPatch> foamPatches(std::string_view text);
+
+} // namespace vp::reader::codes

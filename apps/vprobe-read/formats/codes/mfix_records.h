@@ -1,13 +1,14 @@
 #pragma once
 
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/refusal.h"
 
-#include <bit>
 #include <cstdint>
-#include <cstring>
 #include <string_view>
-#include <type_traits>
 #include <vector>
+
+namespace vp::reader::codes
+{
 
 // A file of records of 512 bytes, with numbers in the order of big endian. What lies past its end is a Refusal.
 class MfixRecords
@@ -41,11 +42,7 @@ public:
 	template <class Number>
 	static Number numberAt(std::string_view record, std::size_t place)
 	{
-		using Bits = std::conditional_t<sizeof(Number) == 8, std::uint64_t, std::uint32_t>;
-		Bits bits = 0;
-		for (std::size_t b = 0; b < sizeof(Number); ++b)
-			bits = bits << 8 | static_cast<unsigned char>(record[place + b]);
-		return std::bit_cast<Number>(bits);
+		return reader::numberAt<Number>(record.data() + place, ByteOrder::big);
 	}
 
 private:
@@ -60,3 +57,5 @@ private:
 	std::string_view bytes_;
 	std::size_t at_;
 };
+
+} // namespace vp::reader::codes

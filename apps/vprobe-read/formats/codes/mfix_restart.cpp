@@ -9,6 +9,9 @@
 #include <algorithm>
 #include <cmath>
 
+namespace vp::reader::codes
+{
+
 namespace
 {
 
@@ -69,11 +72,11 @@ private:
 	void readVersion()
 	{
 		const std::string_view head = records_.record(); // "RES = 01.6"
-		TextCursor at(head);
+		text::Cursor at(head);
 		at.word();
 		at.word();
 		const std::string_view word = at.word(); // which zeros may follow
-		mfix_.version = TextCursor(word.substr(0, word.find_first_not_of(".0123456789"))).real();
+		mfix_.version = text::Cursor(word.substr(0, word.find_first_not_of(".0123456789"))).real();
 		if (!(mfix_.version >= 1.0 && mfix_.version < 3.0))
 			throw Refusal(fmt::format("a restart file of MFIX of version {}, which is not read", mfix_.version));
 		records_.skip(2); // what it is called, and when it was written
@@ -233,3 +236,5 @@ MfixRestart parseMfixRestart(std::string_view bytes)
 {
 	return MfixParser(bytes).parse();
 }
+
+} // namespace vp::reader::codes

@@ -6,6 +6,9 @@
 #include <string_view>
 #include <vector>
 
+namespace vp::reader::codes
+{
+
 // What a restart file of MFIX (.RES) says that the files of values (.SP1 ...) need.
 struct MfixRestart
 {
@@ -26,3 +29,5 @@ struct MfixRestart
 };
 
 MfixRestart parseMfixRestart(std::string_view bytes);
+
+} // namespace vp::reader::codes

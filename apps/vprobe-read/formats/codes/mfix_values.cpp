@@ -9,6 +9,9 @@
 #include <cmath>
 #include <filesystem>
 
+namespace vp::reader::codes
+{
+
 namespace
 {
 
@@ -124,3 +127,5 @@ std::deque<MfixValues> mfixValuesBeside(const std::string& restart, const MfixRe
 	}
 	return values;
 }
+
+} // namespace vp::reader::codes

@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+namespace vp::reader::codes
+{
+
 // A variable of MFIX: some of those in a file make one with components.
 struct MfixVariable
 {
@@ -42,3 +45,5 @@ private:
 // The files that lie beside a restart file. `empty`: the endings of those that hold no time.
 std::deque<MfixValues> mfixValuesBeside(const std::string& restart, const MfixRestart& mesh,
                                         std::vector<std::string>& empty);
+
+} // namespace vp::reader::codes

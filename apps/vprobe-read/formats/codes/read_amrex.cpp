@@ -16,6 +16,9 @@
 #include <memory>
 #include <set>
 
+namespace vp::reader::codes
+{
+
 namespace
 {
 
@@ -34,7 +37,7 @@ std::vector<std::vector<AmrexBoxData>> amrexBoxes(const fs::path& plot, AmrexPlo
 		about.levels.boxes.emplace_back();
 		for (const AmrexBoxData& box : levels.back())
 		{
-			AmrBox& known = about.levels.boxes.back().emplace_back(AmrBox{{}, {}, "", 0});
+			boxes::AmrBox& known = about.levels.boxes.back().emplace_back(boxes::AmrBox{{}, {}, "", 0});
 			for (std::size_t axis = 0; axis < 3; ++axis)
 			{
 				known.lo[axis] = static_cast<int>(box.lo[axis]);
@@ -45,9 +48,9 @@ std::vector<std::vector<AmrexBoxData>> amrexBoxes(const fs::path& plot, AmrexPlo
 	return levels;
 }
 
-CellBox placeOf(const AmrexPlot& about, std::size_t level, const AmrexBoxData& box)
+boxes::CellBox placeOf(const AmrexPlot& about, std::size_t level, const AmrexBoxData& box)
 {
-	CellBox place = {};
+	boxes::CellBox place = {};
 	for (std::size_t axis = 0; axis < 3; ++axis)
 	{
 		const double size = about.sizes[level][axis];
@@ -61,17 +64,17 @@ CellBox placeOf(const AmrexPlot& about, std::size_t level, const AmrexBoxData& b
 
 } // namespace
 
-void readAmrex(const Request& request, ManifestWriter& manifest)
+void readAmrex(const Request& request, manifest::Writer& manifest)
 {
 	const fs::path plot =
 	    fs::is_directory(request.file) ? fs::path(request.file) : fs::path(request.file).parent_path();
 	const MappedText header((plot / "Header").string());
 	AmrexPlot about = parseAmrexHeader(header.text());
 	const std::vector<std::vector<AmrexBoxData>> levels = amrexBoxes(plot, about);
-	makeOwnNames(about.names, manifest);
+	manifest::makeOwnNames(about.names, manifest);
 	if (!about.is_cartesian)
 		manifest.warn("its coordinates are not Cartesian; they are shown as they are");
-	offerOnlyTime(about.time, request, manifest);
+	boxes::offerOnlyTime(about.time, request, manifest);
 	std::set<std::string> taken;
 	for (std::string& name : about.names)
 	{
@@ -81,10 +84,10 @@ void readAmrex(const Request& request, ManifestWriter& manifest)
 		if (name != given)
 			manifest.warn(fmt::format("two cell arrays are called {}; the later one is shown as {}", given, name));
 	}
-	std::vector<CellArrayName> names;
+	std::vector<boxes::CellArrayName> names;
 	for (const std::string& name : about.names)
 		names.push_back({name});
-	const CellArrayChoice choice(request, names);
+	const boxes::CellArrayChoice choice(request, names);
 	std::string open_name;
 	std::unique_ptr<MappedText> open;
 	for (std::size_t level = 0; level < levels.size(); ++level)
@@ -94,13 +97,15 @@ void readAmrex(const Request& request, ManifestWriter& manifest)
 			const std::string path = ((plot / about.folders[level]).parent_path() / box.file).string();
 			if (path != open_name)
 				open = std::make_unique<MappedText>(open_name = path);
-			const auto image = imageOfBox(placeOf(about, level, box));
+			const auto image = boxes::imageOfBox(placeOf(about, level, box));
 			for (std::size_t c = 0; c < about.names.size(); ++c)
 				if (std::ranges::find(choice.wanted(), about.names[c]) != choice.wanted().end())
-					addCellArray(image, about.names[c], amrexValues(open->text(), box, about.names.size(), c));
-			markCovered(about.levels, level, about.levels.boxes[level][b], image);
+					boxes::addCellArray(image, about.names[c], amrexValues(open->text(), box, about.names.size(), c));
+			boxes::markCovered(about.levels, level, about.levels.boxes[level][b], image);
 			choice.noteLeftOut(manifest);
 			manifest.setPrefix(fmt::format("level {}, box {}", level, b));
 			manifest.add(image);
 		}
 }
+
+} // namespace vp::reader::codes

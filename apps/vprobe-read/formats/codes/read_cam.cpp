@@ -24,6 +24,9 @@
 #include <map>
 #include <numeric>
 
+namespace vp::reader::codes
+{
+
 namespace
 {
 
@@ -41,7 +44,7 @@ std::string quadsBeside(const std::string& file)
 	for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator() && left > 0;
 	     entry.increment(error), --left)
 		if (entry->is_regular_file(error) && entry->path().extension() == ".nc" &&
-		    FileHead(entry->path().string()).holds("element_corners"))
+		    checks::FileHead(entry->path().string()).holds("element_corners"))
 			return entry->path().string();
 	return {};
 }
@@ -55,10 +58,10 @@ struct CamLayer
 	std::size_t around_a_pole = 0; // quads that are left out
 };
 
-std::vector<double> camPlaces(const NetcdfFile& file, const char* name)
+std::vector<double> camPlaces(const hdf5::NetcdfFile& file, const char* name)
 {
 	const int variable = file.variable(name);
-	std::vector<double> places = variable < 0 ? std::vector<double>() : cfNumbers(file, variable);
+	std::vector<double> places = variable < 0 ? std::vector<double>() : volumes::cfNumbers(file, variable);
 	if (places.size() != file.length("ncol"))
 		throw damaged(fmt::format("{} has not a place for each column", name));
 	return places;
@@ -120,18 +123,18 @@ private:
 	std::map<std::pair<std::size_t, bool>, std::size_t> moved_;
 };
 
-CamLayer camLayer(const NetcdfFile& file, const std::string& quads)
+CamLayer camLayer(const hdf5::NetcdfFile& file, const std::string& quads)
 {
 	CamLayer layer{camPlaces(file, "lon"), camPlaces(file, "lat"), {}, {}};
 	const std::size_t columns = layer.x.size();
 	layer.columns.resize(columns);
 	std::iota(layer.columns.begin(), layer.columns.end(), std::size_t(0));
-	const NetcdfFile of_quads(quads);
+	const hdf5::NetcdfFile of_quads(quads);
 	const int variable = of_quads.variable("element_corners");
 	const CamSides sides = variable < 0 ? CamSides() : of_quads.dimensions(variable);
 	if (sides.size() != 2 || sides[0].second != 4)
 		throw damaged(fmt::format("{} lists no quads (element_corners)", quads));
-	const std::vector<double> corners = cfNumbers(of_quads, variable);
+	const std::vector<double> corners = volumes::cfNumbers(of_quads, variable);
 	const std::size_t count = sides[1].second;
 	CamSeam seam(layer);
 	for (std::size_t q = 0; q < count; ++q)
@@ -179,20 +182,20 @@ vtkSmartPointer<vtkUnstructuredGrid> camGrid(const CamLayer& layer, std::size_t 
 }
 
 // Variables of [time], lev and ncol.
-void addCamArrays(const NetcdfFile& file, const CamLayer& layer, std::size_t layers, std::size_t step,
+void addCamArrays(const hdf5::NetcdfFile& file, const CamLayer& layer, std::size_t layers, std::size_t step,
                   vtkUnstructuredGrid* grid)
 {
 	for (const auto& [variable, name, type] : file.variables())
 	{
 		const CamSides sides = file.dimensions(variable);
 		const std::size_t first = !sides.empty() && sides[0].first == "time" ? 1 : 0;
-		if (cfTypeOf(file, variable) == 0 || sides.size() != first + 2 || sides[first].first != "lev" ||
+		if (volumes::cfTypeOf(file, variable) == 0 || sides.size() != first + 2 || sides[first].first != "lev" ||
 		    sides[first + 1].first != "ncol")
 			continue;
-		CfSlab slab = CfSlab::of(file, variable);
+		volumes::CfSlab slab = volumes::CfSlab::of(file, variable);
 		if (first == 1)
 			slab.fix(0, step);
-		const vtkSmartPointer<vtkDataArray> values = cfArray(file, variable, slab);
+		const vtkSmartPointer<vtkDataArray> values = volumes::cfArray(file, variable, slab);
 		const auto array = vtkSmartPointer<vtkDataArray>::Take(values->NewInstance());
 		array->SetName(name.c_str());
 		array->SetNumberOfTuples(grid->GetNumberOfPoints());
@@ -206,7 +209,7 @@ void addCamArrays(const NetcdfFile& file, const CamLayer& layer, std::size_t lay
 
 } // namespace
 
-void readCam(const Request& request, ManifestWriter& manifest)
+void readCam(const Request& request, manifest::Writer& manifest)
 {
 	const std::string quads = request.solution.empty() ? quadsBeside(request.file) : request.solution;
 	if (quads.empty())
@@ -215,10 +218,10 @@ void readCam(const Request& request, ManifestWriter& manifest)
 		    "name it with --solution");
 	for (const std::string& name : {request.file, quads})
 	{
-		refuseShortNetcdf(name);
-		refuseMissingParts(name);
+		checks::refuseShortNetcdf(name);
+		hdf5::refuseMissingParts(name);
 	}
-	const NetcdfFile file(request.file);
+	const hdf5::NetcdfFile file(request.file);
 	const std::size_t layers = file.length("lev");
 	if (layers < 2)
 		throw Refusal("nothing to slice: columns of CAM with fewer than two layers (lev)");
@@ -226,10 +229,10 @@ void readCam(const Request& request, ManifestWriter& manifest)
 	std::iota(times.begin(), times.end(), 0.0);
 	if (const int variable = file.variable("time"); variable >= 0 && file.dimensions(variable).size() == 1)
 	{
-		times = cfNumbers(file, variable);
+		times = volumes::cfNumbers(file, variable);
 		manifest.setTimeUnits(file.text(variable, "units"));
 	}
-	const std::optional<std::size_t> step = offerSteps(times, request, manifest);
+	const std::optional<std::size_t> step = manifest::offerSteps(times, request, manifest);
 	const CamLayer layer = camLayer(file, quads);
 	if (layer.around_a_pole > 0)
 		manifest.warn(fmt::format("{} quads around a pole are left out", layer.around_a_pole));
@@ -237,3 +240,5 @@ void readCam(const Request& request, ManifestWriter& manifest)
 	addCamArrays(file, layer, layers, step.value_or(0), grid);
 	manifest.add(grid);
 }
+
+} // namespace vp::reader::codes

@@ -15,10 +15,13 @@
 #include <array>
 #include <limits>
 
+namespace vp::reader::codes
+{
+
 namespace
 {
 
-std::vector<double> convergePlaces(const Hdf5File& file, const std::string& stream)
+std::vector<double> convergePlaces(const hdf5::File& file, const std::string& stream)
 {
 	std::array<std::vector<double>, 3> along;
 	for (std::size_t axis = 0; axis < 3; ++axis)
@@ -56,7 +59,7 @@ double enclosedVolume(const FluentCase& mesh)
 }
 
 // Polygons, and the cells on both sides of each: a number below 0 is that of a boundary.
-FluentCase convergeMesh(const Hdf5File& file, const std::string& stream)
+FluentCase convergeMesh(const hdf5::File& file, const std::string& stream)
 {
 	FluentCase mesh;
 	mesh.coordinates = convergePlaces(file, stream);
@@ -107,7 +110,7 @@ struct ConvergeVariable
 	std::vector<std::string> paths;
 };
 
-std::vector<ConvergeVariable> convergeVariables(const Hdf5File& file, const std::string& group)
+std::vector<ConvergeVariable> convergeVariables(const hdf5::File& file, const std::string& group)
 {
 	const std::vector<std::string> names = file.namesIn(group);
 	const auto is = [&](const std::string& name) { return std::ranges::find(names, name) != names.end(); };
@@ -124,17 +127,17 @@ std::vector<ConvergeVariable> convergeVariables(const Hdf5File& file, const std:
 	return variables;
 }
 
-void addConvergeStream(const Hdf5File& file, const std::string& stream, const Request& request,
-                       ManifestWriter& manifest)
+void addConvergeStream(const hdf5::File& file, const std::string& stream, const Request& request,
+                       manifest::Writer& manifest)
 {
 	const FluentCase mesh = convergeMesh(file, stream);
 	const auto cells = static_cast<std::size_t>(mesh.cells);
 	const auto grid = fluentGrid(mesh, mesh.zones[0]);
 	const std::vector<ConvergeVariable> variables = convergeVariables(file, stream + "/CELL_CENTER_DATA/");
-	std::vector<CellArrayName> names;
+	std::vector<boxes::CellArrayName> names;
 	for (const ConvergeVariable& variable : variables)
 		names.push_back({variable.name, static_cast<int>(variable.paths.size())});
-	const CellArrayChoice choice(request, names);
+	const boxes::CellArrayChoice choice(request, names);
 	for (const ConvergeVariable& variable : variables)
 	{
 		if (std::ranges::find(choice.wanted(), variable.name) == choice.wanted().end())
@@ -149,7 +152,7 @@ void addConvergeStream(const Hdf5File& file, const std::string& stream, const Re
 			for (std::size_t c = 0; c < cells; ++c)
 				values[c * components + i] = along[c];
 		}
-		addCellArray(grid, variable.name, values);
+		boxes::addCellArray(grid, variable.name, values);
 	}
 	choice.noteLeftOut(manifest);
 	manifest.setPrefix(mesh.zones[0].name);
@@ -158,11 +161,13 @@ void addConvergeStream(const Hdf5File& file, const std::string& stream, const Re
 
 } // namespace
 
-void readConverge(const Request& request, ManifestWriter& manifest)
+void readConverge(const Request& request, manifest::Writer& manifest)
 {
-	const Hdf5File file(request.file);
-	offerOnlyTime(file.realOr("/", "OUTPUT_TIME", std::numeric_limits<double>::quiet_NaN()), request, manifest);
+	const hdf5::File file(request.file);
+	boxes::offerOnlyTime(file.realOr("/", "OUTPUT_TIME", std::numeric_limits<double>::quiet_NaN()), request, manifest);
 	for (const std::string& name : file.namesIn("/"))
 		if (name.starts_with("STREAM_"))
 			addConvergeStream(file, "/" + name, request, manifest);
 }
+
+} // namespace vp::reader::codes

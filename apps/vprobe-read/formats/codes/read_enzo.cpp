@@ -23,6 +23,9 @@
 #include <optional>
 #include <set>
 
+namespace vp::reader::codes
+{
+
 namespace
 {
 
@@ -34,7 +37,7 @@ class EnzoFiles
 public:
 	explicit EnzoFiles(const std::string& hierarchy) : folder_(fs::path(hierarchy).parent_path()) {}
 
-	const Hdf5File& operator[](const std::string& name)
+	const hdf5::File& operator[](const std::string& name)
 	{
 		if (name != name_ || !file_)
 		{
@@ -42,7 +45,7 @@ public:
 			const std::string path = (folder_ / fs::path(name).filename()).string();
 			if (!fs::is_regular_file(path))
 				throw Refusal(fmt::format("its file {} cannot be opened; keep them together", path));
-			file_ = std::make_unique<Hdf5File>(path);
+			file_ = std::make_unique<hdf5::File>(path);
 			name_ = name;
 		}
 		return *file_;
@@ -51,11 +54,11 @@ public:
 private:
 	fs::path folder_;
 	std::string name_;
-	std::unique_ptr<Hdf5File> file_;
+	std::unique_ptr<hdf5::File> file_;
 };
 
 // Packed files have a group for each box.
-std::string enzoGroup(const Hdf5File& file, std::size_t number)
+std::string enzoGroup(const hdf5::File& file, std::size_t number)
 {
 	const std::string group = fmt::format("/Grid{:08}", number);
 	if (file.has(group))
@@ -66,9 +69,10 @@ std::string enzoGroup(const Hdf5File& file, std::size_t number)
 }
 
 // The variables that a box has at its cells; particles have one dimension.
-std::vector<CellArrayName> enzoVariables(const Hdf5File& file, const std::string& group, const CellBox& box)
+std::vector<boxes::CellArrayName> enzoVariables(const hdf5::File& file, const std::string& group,
+                                                const boxes::CellBox& box)
 {
-	std::vector<CellArrayName> names;
+	std::vector<boxes::CellArrayName> names;
 	const std::vector<std::uint64_t> wanted = {box.cells[2], box.cells[1], box.cells[0]};
 	for (const std::string& name : file.namesIn(group == "/" ? group : group.substr(0, group.size() - 1)))
 		if (file.isSet(group + name))
@@ -86,43 +90,45 @@ std::vector<CellArrayName> enzoVariables(const Hdf5File& file, const std::string
 
 } // namespace
 
-void readEnzo(const Request& request, ManifestWriter& manifest)
+void readEnzo(const Request& request, manifest::Writer& manifest)
 {
 	const MappedText text(request.file);
 	const EnzoHierarchy hierarchy = parseEnzoHierarchy(text.text());
 	const std::map<std::string, double> factors = enzoFactors(request.file);
-	const AmrLevels levels = enzoLevels(hierarchy);
-	offerOnlyTime(hierarchy.time, request, manifest);
+	const boxes::AmrLevels levels = enzoLevels(hierarchy);
+	boxes::offerOnlyTime(hierarchy.time, request, manifest);
 	EnzoFiles files(request.file);
 	std::optional<std::set<std::string>> variables; // of the first grid
 	for (std::size_t level = 0; level < levels.boxes.size(); ++level)
-		for (const AmrBox& at : levels.boxes[level])
+		for (const boxes::AmrBox& at : levels.boxes[level])
 		{
 			const EnzoGrid& grid = hierarchy.grids[at.number];
-			const Hdf5File& file = files[at.file];
+			const hdf5::File& file = files[at.file];
 			const std::string group = enzoGroup(file, grid.number);
-			const std::vector<CellArrayName> names = enzoVariables(file, group, grid.box);
+			const std::vector<boxes::CellArrayName> names = enzoVariables(file, group, grid.box);
 			std::set<std::string> of_this;
-			for (const CellArrayName& each : names)
+			for (const boxes::CellArrayName& each : names)
 				of_this.insert(each.name);
 			if (!variables)
 				variables = of_this;
 			if (*variables != of_this)
 				throw damaged(fmt::format("grid {} has other variables than grid {}", grid.number,
 				                          hierarchy.grids[levels.boxes[0][0].number].number));
-			const CellArrayChoice choice(request, names);
-			const auto image = imageOfBox(grid.box);
+			const boxes::CellArrayChoice choice(request, names);
+			const auto image = boxes::imageOfBox(grid.box);
 			for (const std::string& name : choice.wanted())
 			{
 				std::vector<double> values = file.reals(group + name);
 				if (const auto factor = factors.find(name); factor != factors.end())
 					for (double& value : values)
 						value *= factor->second;
-				addCellArray(image, name, values);
+				boxes::addCellArray(image, name, values);
 			}
-			markCovered(levels, level, at, image);
+			boxes::markCovered(levels, level, at, image);
 			choice.noteLeftOut(manifest);
 			manifest.setPrefix(fmt::format("level {}, grid {}", level, grid.number));
 			manifest.add(image);
 		}
 }
+
+} // namespace vp::reader::codes

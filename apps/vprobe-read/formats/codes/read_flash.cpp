@@ -13,6 +13,9 @@
 #include <algorithm>
 #include <limits>
 
+namespace vp::reader::codes
+{
+
 namespace
 {
 
@@ -24,7 +27,7 @@ struct FlashTree
 	std::vector<std::int64_t> kinds;
 	std::vector<std::int64_t> levels;
 
-	explicit FlashTree(const Hdf5File& file)
+	explicit FlashTree(const hdf5::File& file)
 	{
 		// Neighbors, a parent and children: 5, 9 or 15 by the number of dimensions.
 		const std::vector<std::uint64_t> sides = file.sidesOf("/gid");
@@ -47,7 +50,7 @@ struct FlashVariable
 	std::vector<double> values; // of all blocks
 };
 
-std::vector<FlashVariable> flashVariables(const Hdf5File& file)
+std::vector<FlashVariable> flashVariables(const hdf5::File& file)
 {
 	std::map<std::string, std::string> paths;
 	for (const std::string& path : file.namesIn("/"))
@@ -62,7 +65,7 @@ std::vector<FlashVariable> flashVariables(const Hdf5File& file)
 	return variables;
 }
 
-double flashTime(const Hdf5File& file)
+double flashTime(const hdf5::File& file)
 {
 	const std::map<std::string, double> scalars = file.namedNumbers("/real scalars");
 	const auto time = scalars.find("time");
@@ -71,7 +74,7 @@ double flashTime(const Hdf5File& file)
 	           : file.columnOr("/simulation parameters", "time", std::numeric_limits<double>::quiet_NaN());
 }
 
-void warnOfGeometry(const Hdf5File& file, ManifestWriter& manifest)
+void warnOfGeometry(const hdf5::File& file, manifest::Writer& manifest)
 {
 	for (const char* table : {"/string scalars", "/string parameters", "/string runtime parameters"})
 		for (const auto& [name, geometry] : file.namedTexts(table))
@@ -84,14 +87,14 @@ void warnOfGeometry(const Hdf5File& file, ManifestWriter& manifest)
 
 } // namespace
 
-void readFlash(const Request& request, ManifestWriter& manifest)
+void readFlash(const Request& request, manifest::Writer& manifest)
 {
-	const Hdf5File file(request.file);
+	const hdf5::File file(request.file);
 	const FlashTree tree(file);
 	const std::size_t blocks = tree.kinds.size();
 	std::vector<FlashVariable> variables = flashVariables(file);
 	std::array<std::size_t, 3> cells = {0, 0, 0};
-	std::vector<CellArrayName> names;
+	std::vector<boxes::CellArrayName> names;
 	for (const FlashVariable& variable : variables)
 	{
 		const std::vector<std::uint64_t> sides = file.sidesOf(variable.path);
@@ -107,10 +110,10 @@ void readFlash(const Request& request, ManifestWriter& manifest)
 	}
 	if (names.empty())
 		throw Refusal("nothing to slice: it holds no variables of a grid (unknown names)");
-	offerOnlyTime(flashTime(file), request, manifest);
+	boxes::offerOnlyTime(flashTime(file), request, manifest);
 	warnOfGeometry(file, manifest);
 
-	const CellArrayChoice choice(request, names);
+	const boxes::CellArrayChoice choice(request, names);
 	std::erase_if(variables, [&](const FlashVariable& variable)
 	              { return std::ranges::find(choice.wanted(), variable.name) == choice.wanted().end(); });
 	for (FlashVariable& variable : variables)
@@ -120,13 +123,15 @@ void readFlash(const Request& request, ManifestWriter& manifest)
 		if (tree.kinds[b] != kFlashLeaf)
 			continue;
 		const double* at = tree.bounds.data() + 6 * b;
-		const CellBox box = {{at[0], at[2], at[4]}, {at[1], at[3], at[5]}, cells};
-		const auto image = imageOfBox(box);
+		const boxes::CellBox box = {{at[0], at[2], at[4]}, {at[1], at[3], at[5]}, cells};
+		const auto image = boxes::imageOfBox(box);
 		for (const FlashVariable& variable : variables)
-			addCellArray(image, variable.name,
-			             std::span(variable.values).subspan(b * box.cellCount(), box.cellCount()));
+			boxes::addCellArray(image, variable.name,
+			                    std::span(variable.values).subspan(b * box.cellCount(), box.cellCount()));
 		choice.noteLeftOut(manifest);
 		manifest.setPrefix(fmt::format("level {}, block {}", tree.levels[b], b));
 		manifest.add(image);
 	}
 }
+
+} // namespace vp::reader::codes

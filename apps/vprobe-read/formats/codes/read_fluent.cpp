@@ -24,6 +24,9 @@
 #include <utility>
 #include <vector>
 
+namespace vp::reader::codes
+{
+
 namespace
 {
 
@@ -95,7 +98,7 @@ void readFluentValues(const FluentSection& section, FluentSections& sections, co
 		return sections.skip(section);
 	if (section.body == 0 || head[2] < 1 || head[2] > 64)
 		throw damaged(fmt::format("values of {} components", head[2]));
-	TextCursor at = sections.bodyOf(section);
+	text::Cursor at = sections.bodyOf(section);
 	const std::size_t width = !section.is_binary ? 2 : section.number >= 3000 ? 8 : 4;
 	const std::size_t count = at.checkedCount((head[6] - head[5] + 1) * head[2], width);
 	const std::pair<vtkIdType, vtkIdType> part(head[5] - 1 - zone->first, head[6] - zone->first);
@@ -111,7 +114,7 @@ void readFluentValues(const FluentSection& section, FluentSections& sections, co
 
 std::map<std::int64_t, FluentValues> parseFluentData(const std::string& file, const FluentCase& mesh)
 {
-	const MaybeGzip contents(file);
+	const text::MaybeGzip contents(file);
 	FluentSections sections(contents.text());
 	std::map<std::int64_t, FluentValues> of_zones;
 	for (FluentSection section; sections.next(section);)
@@ -132,7 +135,7 @@ std::map<std::int64_t, FluentValues> parseFluentData(const std::string& file, co
 
 // Tells what the arrays lack, and which names occur several times.
 void noteFluentValues(const std::map<std::int64_t, FluentValues>& of_zones, const std::string& data,
-                      ManifestWriter& manifest)
+                      manifest::Writer& manifest)
 {
 	if (of_zones.empty())
 		manifest.warn(fmt::format("{} holds no values at cells", std::filesystem::path(data).filename().string()));
@@ -171,9 +174,9 @@ std::string fluentDataBeside(const std::string& file)
 
 } // namespace
 
-void readFluent(const Request& request, ManifestWriter& manifest)
+void readFluent(const Request& request, manifest::Writer& manifest)
 {
-	const MaybeGzip file(request.file);
+	const text::MaybeGzip file(request.file);
 	const FluentCase mesh = parseFluentCase(file.text());
 	const std::string data = request.solution.empty() ? fluentDataBeside(request.file) : request.solution;
 	std::map<std::int64_t, FluentValues> values;
@@ -194,3 +197,5 @@ void readFluent(const Request& request, ManifestWriter& manifest)
 		manifest.add(grid);
 	}
 }
+
+} // namespace vp::reader::codes

@@ -15,6 +15,9 @@
 #include <filesystem>
 #include <limits>
 
+namespace vp::reader::codes
+{
+
 namespace
 {
 
@@ -28,7 +31,7 @@ struct FluentRange
 	std::size_t count = 0;
 };
 
-FluentRange fluentRange(const Hdf5File& file, const std::string& object, std::int64_t items)
+FluentRange fluentRange(const hdf5::File& file, const std::string& object, std::int64_t items)
 {
 	const double first = file.realOr(object, "minId", 0.0), last = file.realOr(object, "maxId", -1.0);
 	if (!(first >= 1.0 && last >= first && last <= static_cast<double>(items)))
@@ -36,7 +39,7 @@ FluentRange fluentRange(const Hdf5File& file, const std::string& object, std::in
 	return {static_cast<std::int64_t>(first) - 1, static_cast<std::size_t>(last - first) + 1};
 }
 
-std::int64_t fluentCount(const Hdf5File& file, const char* attribute)
+std::int64_t fluentCount(const hdf5::File& file, const char* attribute)
 {
 	const double count = file.realOr(kFluentMesh, attribute, -1.0);
 	if (!(count >= 1.0 && count <= static_cast<double>(kMaxFluentItems)))
@@ -45,7 +48,7 @@ std::int64_t fluentCount(const Hdf5File& file, const char* attribute)
 }
 
 // "1", "2" and so on, in their order.
-std::vector<std::string> fluentParts(const Hdf5File& file, const std::string& group)
+std::vector<std::string> fluentParts(const hdf5::File& file, const std::string& group)
 {
 	std::vector<std::string> paths;
 	for (std::size_t part = 1; file.has(fmt::format("{}/{}", group, part)); ++part)
@@ -53,7 +56,7 @@ std::vector<std::string> fluentParts(const Hdf5File& file, const std::string& gr
 	return paths;
 }
 
-void readFluentNodes(const Hdf5File& file, FluentCase& mesh)
+void readFluentNodes(const hdf5::File& file, FluentCase& mesh)
 {
 	const std::int64_t nodes = fluentCount(file, "nodeCount");
 	for (const std::string& name : file.namesIn(kFluentMesh + "/nodes/coords"))
@@ -71,7 +74,7 @@ void readFluentNodes(const Hdf5File& file, FluentCase& mesh)
 		throw damaged(fmt::format("{} of {} nodes have a place", mesh.coordinates.size() / 3, nodes));
 }
 
-void readFluentCells(const Hdf5File& file, FluentCase& mesh)
+void readFluentCells(const hdf5::File& file, FluentCase& mesh)
 {
 	mesh.cells = fluentCount(file, "cellCount");
 	const std::string zones = kFluentMesh + "/cells/zoneTopology";
@@ -98,7 +101,7 @@ void readFluentCells(const Hdf5File& file, FluentCase& mesh)
 }
 
 // The corners of faces one after the other, as each must have its own.
-void readFluentFaces(const Hdf5File& file, FluentCase& mesh)
+void readFluentFaces(const hdf5::File& file, FluentCase& mesh)
 {
 	const std::int64_t faces = fluentCount(file, "faceCount");
 	const auto nodes = static_cast<std::int64_t>(mesh.coordinates.size() / 3);
@@ -142,7 +145,7 @@ void readFluentFaces(const Hdf5File& file, FluentCase& mesh)
 		}
 }
 
-FluentCase fluentMesh(const Hdf5File& file)
+FluentCase fluentMesh(const hdf5::File& file)
 {
 	if (file.realOr(kFluentMesh, "dimension", 3.0) != 3.0)
 		throw Refusal("nothing to slice: a Fluent case of two dimensions");
@@ -164,7 +167,7 @@ struct FluentField
 	std::size_t components;
 };
 
-std::vector<FluentField> fluentFields(const Hdf5File& file)
+std::vector<FluentField> fluentFields(const hdf5::File& file)
 {
 	std::vector<FluentField> fields;
 	for (std::size_t phase = 1; file.has(fmt::format("/results/1/phase-{}/cells", phase)); ++phase)
@@ -195,7 +198,7 @@ std::vector<FluentField> fluentFields(const Hdf5File& file)
 // Of all cells of the mesh; NaN where the file says nothing.
 std::vector<double> fluentValues(const std::string& path, const FluentField& field, std::int64_t cells)
 {
-	const Hdf5File file(path);
+	const hdf5::File file(path);
 	std::vector<double> values(static_cast<std::size_t>(cells) * field.components,
 	                           std::numeric_limits<double>::quiet_NaN());
 	for (const std::string& part : field.parts)
@@ -225,20 +228,20 @@ std::string fluentHdf5DataBeside(const std::string& file)
 
 } // namespace
 
-void readFluentHdf5(const Request& request, ManifestWriter& manifest)
+void readFluentHdf5(const Request& request, manifest::Writer& manifest)
 {
-	const FluentCase mesh = fluentMesh(Hdf5File(request.file));
+	const FluentCase mesh = fluentMesh(hdf5::File(request.file));
 	const std::string path = request.solution.empty() ? fluentHdf5DataBeside(request.file) : request.solution;
-	std::vector<CellArrayName> names;
+	std::vector<boxes::CellArrayName> names;
 	std::vector<std::vector<double>> values;
 	std::vector<FluentField> fields;
 	if (path.empty())
 		manifest.warn("no data file (.dat.h5) lies beside this Fluent case; --solution names one");
 	else
-		fields = fluentFields(Hdf5File(path));
+		fields = fluentFields(hdf5::File(path));
 	for (const FluentField& field : fields)
 		names.push_back({field.name, static_cast<int>(field.components)});
-	const CellArrayChoice choice(request, names);
+	const boxes::CellArrayChoice choice(request, names);
 	std::erase_if(fields, [&](const FluentField& field)
 	              { return std::ranges::find(choice.wanted(), field.name) == choice.wanted().end(); });
 	for (const FluentField& field : fields)
@@ -247,12 +250,14 @@ void readFluentHdf5(const Request& request, ManifestWriter& manifest)
 	{
 		const auto grid = fluentGrid(mesh, zone);
 		for (std::size_t f = 0; f < fields.size(); ++f)
-			addCellArray(grid, fields[f].name,
-			             std::span(values[f]).subspan(static_cast<std::size_t>(zone.first) * fields[f].components,
-			                                          static_cast<std::size_t>(zone.last - zone.first + 1) *
-			                                              fields[f].components));
+			boxes::addCellArray(grid, fields[f].name,
+			                    std::span(values[f]).subspan(
+			                        static_cast<std::size_t>(zone.first) * fields[f].components,
+			                        static_cast<std::size_t>(zone.last - zone.first + 1) * fields[f].components));
 		choice.noteLeftOut(manifest);
 		manifest.setPrefix(zone.name);
 		manifest.add(grid);
 	}
 }
+
+} // namespace vp::reader::codes

@@ -25,6 +25,9 @@
 #include <string>
 #include <vector>
 
+namespace vp::reader::codes
+{
+
 namespace fs = std::filesystem;
 
 namespace
@@ -48,7 +51,7 @@ bool hasMesh(const fs::path& folder)
 }
 
 // The parts of a decomposed case lie in processor0, processor1 and so on, or all together in processorsN.
-void refuseDecomposed(const fs::path& folder, const std::vector<FoamTime>& times, ManifestWriter& manifest)
+void refuseDecomposed(const fs::path& folder, const std::vector<FoamTime>& times, manifest::Writer& manifest)
 {
 	double last = -1.0;
 	bool is_decomposed = false;
@@ -72,7 +75,7 @@ void refuseDecomposed(const fs::path& folder, const std::vector<FoamTime>& times
 class FoamFields
 {
 public:
-	FoamFields(const FoamCase& files, const FoamMesh& mesh, const ArrayWish& wish, ManifestWriter& manifest)
+	FoamFields(const FoamCase& files, const FoamMesh& mesh, const ArrayWish& wish, manifest::Writer& manifest)
 	    : files_(files), mesh_(mesh), wish_(wish), manifest_(manifest)
 	{
 	}
@@ -100,8 +103,8 @@ private:
 	{
 		if (wish_.wants(association, file.name, std::string_view(association) == "point" && !has_shown_))
 			return true;
-		manifest_.noteLeftOut(describeLeftOut(association, file.name, vp::grid::NumberType::float64,
-		                                      foamComponentsOfField(file.head.type)));
+		manifest_.noteLeftOut(manifest::describeLeftOut(association, file.name, grid::NumberType::float64,
+		                                                foamComponentsOfField(file.head.type)));
 		return false;
 	}
 
@@ -167,13 +170,13 @@ private:
 	const FoamCase& files_;
 	const FoamMesh& mesh_;
 	const ArrayWish& wish_;
-	ManifestWriter& manifest_;
+	manifest::Writer& manifest_;
 	std::map<std::string, std::vector<std::string>> left_out_; // by the reason
 	bool has_shown_ = false;
 };
 
 // Each patch by its name, and each group of patches by its own.
-void addFoamPatches(const FoamMesh& mesh, ManifestWriter& manifest)
+void addFoamPatches(const FoamMesh& mesh, manifest::Writer& manifest)
 {
 	std::map<std::string, std::vector<const FoamPatch*>> groups;
 	std::set<std::string> names;
@@ -200,7 +203,7 @@ void addFoamPatches(const FoamMesh& mesh, ManifestWriter& manifest)
 
 } // namespace
 
-void readFoam(const Request& request, ManifestWriter& manifest)
+void readFoam(const Request& request, manifest::Writer& manifest)
 {
 	fs::path folder = fs::path(request.file).parent_path();
 	if (folder.empty())
@@ -211,8 +214,8 @@ void readFoam(const Request& request, ManifestWriter& manifest)
 	for (const FoamTime& time : all)
 		times.push_back(time.value);
 	std::vector<std::string> names;
-	if (chooseIfAny(times, request))
-		for (std::size_t i = 0; i <= chooseStep(times, request); ++i)
+	if (manifest::chooseIfAny(times, request))
+		for (std::size_t i = 0; i <= manifest::chooseStep(times, request); ++i)
 			names.push_back(all[i].name);
 	std::error_code none;
 	if (!fs::is_directory(folder / "constant", none))
@@ -233,3 +236,5 @@ void readFoam(const Request& request, ManifestWriter& manifest)
 	}
 	manifest.offerTimes(std::move(times));
 }
+
+} // namespace vp::reader::codes

@@ -25,13 +25,16 @@
 #include <filesystem>
 #include <map>
 
+namespace vp::reader::codes
+{
+
 namespace
 {
 
 // A state: its file, and the word where it begins.
 struct LsdynaState
 {
-	const LsdynaWords* words;
+	const checks::LsdynaWords* words;
 	std::size_t at;
 	double time() const { return words->real(at); }
 };
@@ -41,7 +44,7 @@ class LsdynaFamily
 {
 public:
 	explicit LsdynaFamily(const std::string& file)
-	    : first_(file), words_{LsdynaWords(first_.text())}, control_(words_.front())
+	    : first_(file), words_{checks::LsdynaWords(first_.text())}, control_(words_.front())
 	{
 		if (control_.geometryWords() > words_.front().count())
 			throw damaged("it ends within its mesh");
@@ -53,14 +56,14 @@ public:
 			if (!std::filesystem::is_regular_file(name, ignored))
 				break;
 			const MappedText& text = others_.emplace_back(name);
-			if (text.text().size() >= 64 * words_.front().width() && LsdynaWords::isHead(text.text()))
+			if (text.text().size() >= 64 * words_.front().width() && checks::LsdynaWords::isHead(text.text()))
 				throw Refusal(fmt::format("{} has another mesh, since it was refined; that is not read", name));
 			findStates(words_.emplace_back(text.text(), words_.front()), 0);
 		}
 	}
 
-	const LsdynaWords& mesh() const { return words_.front(); }
-	const LsdynaControl& control() const { return control_; }
+	const checks::LsdynaWords& mesh() const { return words_.front(); }
+	const checks::LsdynaControl& control() const { return control_; }
 	const std::vector<LsdynaState>& states() const { return states_; }
 
 private:
@@ -79,7 +82,7 @@ private:
 		return at + 1;
 	}
 
-	void findStates(const LsdynaWords& words, std::size_t at)
+	void findStates(const checks::LsdynaWords& words, std::size_t at)
 	{
 		const std::size_t size = control_.stateWords();
 		for (; at < words.count() && !words.isEnd(at); at += size)
@@ -92,7 +95,7 @@ private:
 		}
 	}
 
-	static bool isZero(const LsdynaWords& words, std::size_t at, std::size_t size)
+	static bool isZero(const checks::LsdynaWords& words, std::size_t at, std::size_t size)
 	{
 		for (const std::size_t end = at + size; at < end; ++at)
 			if (words.integer(at) != 0)
@@ -102,8 +105,8 @@ private:
 
 	MappedText first_;
 	std::deque<MappedText> others_;
-	std::deque<LsdynaWords> words_;
-	LsdynaControl control_;
+	std::deque<checks::LsdynaWords> words_;
+	checks::LsdynaControl control_;
 	std::vector<LsdynaState> states_;
 };
 
@@ -125,8 +128,8 @@ void addLsdynaSolid(vtkUnstructuredGrid* grid, const std::array<vtkIdType, 8>& c
 
 vtkSmartPointer<vtkUnstructuredGrid> lsdynaGrid(const LsdynaFamily& family)
 {
-	const LsdynaControl& control = family.control();
-	const LsdynaWords& words = family.mesh();
+	const checks::LsdynaControl& control = family.control();
+	const checks::LsdynaWords& words = family.mesh();
 	auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
 	vtkNew<vtkIntArray> material;
 	material->SetName("material");
@@ -153,14 +156,14 @@ vtkSmartPointer<vtkUnstructuredGrid> lsdynaGrid(const LsdynaFamily& family)
 }
 
 // In the precision of the file.
-vtkSmartPointer<vtkDataArray> emptyLsdynaArray(const LsdynaWords& words)
+vtkSmartPointer<vtkDataArray> emptyLsdynaArray(const checks::LsdynaWords& words)
 {
 	return vtkSmartPointer<vtkDataArray>::Take(
 	    vtkDataArray::CreateDataArray(words.width() == sizeof(double) ? VTK_DOUBLE : VTK_FLOAT));
 }
 
 // An array of values that lie `step` words apart.
-vtkSmartPointer<vtkDataArray> lsdynaArray(const LsdynaWords& words, std::size_t at, std::size_t step,
+vtkSmartPointer<vtkDataArray> lsdynaArray(const checks::LsdynaWords& words, std::size_t at, std::size_t step,
                                           std::int64_t count, int components, const char* name)
 {
 	const auto array = emptyLsdynaArray(words);
@@ -182,10 +185,10 @@ vtkSmartPointer<vtkPoints> lsdynaPoints(vtkDataArray* places)
 
 // Values at nodes follow each other kind by kind. The places are where the nodes have moved to, and come first. The
 // manual counts the temperature before them, but LS-DYNA writes it behind them (issue 9 of lasso-python; VTK's reader).
-void addLsdynaNodes(const LsdynaControl& control, const LsdynaState& state, vtkUnstructuredGrid* grid,
-                    ManifestWriter& manifest)
+void addLsdynaNodes(const checks::LsdynaControl& control, const LsdynaState& state, vtkUnstructuredGrid* grid,
+                    manifest::Writer& manifest)
 {
-	const LsdynaWords& words = *state.words;
+	const checks::LsdynaWords& words = *state.words;
 	std::size_t at = state.at + control.nodesAt();
 	const auto nodes = static_cast<std::size_t>(control.nodes);
 	if (control.has_places != 0)
@@ -225,8 +228,8 @@ void addLsdynaNodes(const LsdynaControl& control, const LsdynaState& state, vtkU
 
 // Six stresses, the plastic strain, then what the material remembers. Thick shells have three such layers of which the
 // first, the middle one, is taken.
-void addLsdynaCells(const LsdynaControl& control, const LsdynaState& state, vtkUnstructuredGrid* grid,
-                    ManifestWriter& manifest)
+void addLsdynaCells(const checks::LsdynaControl& control, const LsdynaState& state, vtkUnstructuredGrid* grid,
+                    manifest::Writer& manifest)
 {
 	const auto fill = [&](int first, int components, const std::string& name)
 	{
@@ -255,9 +258,9 @@ void addLsdynaCells(const LsdynaControl& control, const LsdynaState& state, vtkU
 		manifest.warn("more values that its materials remember are left out");
 }
 
-void hideDeleted(const LsdynaControl& control, const LsdynaState& state, vtkUnstructuredGrid* grid)
+void hideDeleted(const checks::LsdynaControl& control, const LsdynaState& state, vtkUnstructuredGrid* grid)
 {
-	if (control.deletion == LsdynaControl::Deletion::none)
+	if (control.deletion == checks::LsdynaControl::Deletion::none)
 		return;
 	vtkNew<vtkUnsignedCharArray> marks;
 	marks->SetName(vtkDataSetAttributes::GhostArrayName());
@@ -266,11 +269,11 @@ void hideDeleted(const LsdynaControl& control, const LsdynaState& state, vtkUnst
 	const auto isGone = [&](vtkIdType index) { return state.words->real(at + static_cast<std::size_t>(index)) == 0.0; };
 	for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
 	{
-		bool gone = control.deletion == LsdynaControl::Deletion::elements && isGone(cell);
+		bool gone = control.deletion == checks::LsdynaControl::Deletion::elements && isGone(cell);
 		vtkIdType count = 0;
 		const vtkIdType* corners = nullptr;
 		grid->GetCellPoints(cell, count, corners);
-		for (vtkIdType i = 0; control.deletion == LsdynaControl::Deletion::nodes && i < count; ++i)
+		for (vtkIdType i = 0; control.deletion == checks::LsdynaControl::Deletion::nodes && i < count; ++i)
 			gone = gone || isGone(corners[i]);
 		marks->SetValue(cell, gone ? vtkDataSetAttributes::HIDDENCELL : 0);
 	}
@@ -279,10 +282,10 @@ void hideDeleted(const LsdynaControl& control, const LsdynaState& state, vtkUnst
 
 } // namespace
 
-void readLsdyna(const Request& request, ManifestWriter& manifest)
+void readLsdyna(const Request& request, manifest::Writer& manifest)
 {
 	const LsdynaFamily family(request.file);
-	const LsdynaControl& control = family.control();
+	const checks::LsdynaControl& control = family.control();
 	if (control.solids + control.thick_shells == 0)
 		throw Refusal("nothing to slice: it holds neither solids nor thick shells");
 	const auto grid = lsdynaGrid(family);
@@ -290,7 +293,7 @@ void readLsdyna(const Request& request, ManifestWriter& manifest)
 	std::vector<double> times;
 	for (const LsdynaState& state : family.states())
 		times.push_back(state.time());
-	if (const auto step = offerSteps(times, request, manifest))
+	if (const auto step = manifest::offerSteps(times, request, manifest))
 	{
 		const LsdynaState& state = family.states()[*step];
 		addLsdynaNodes(control, state, grid, manifest);
@@ -301,3 +304,5 @@ void readLsdyna(const Request& request, ManifestWriter& manifest)
 		manifest.warn(fmt::format("{} shells and {} beams are left out", control.shells, control.beams));
 	manifest.add(grid);
 }
+
+} // namespace vp::reader::codes

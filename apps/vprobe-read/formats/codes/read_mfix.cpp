@@ -22,6 +22,9 @@
 
 #include <cmath>
 
+namespace vp::reader::codes
+{
+
 namespace
 {
 
@@ -87,7 +90,7 @@ vtkSmartPointer<vtkDataSet> mfixSectors(const MfixRestart& mesh)
 		for (const double height : heights)
 			for (const double radius : radii)
 				points->InsertNextPoint(radius * std::cos(angle), height, radius * std::sin(angle));
-	GrownCells cells;
+	cells::GrownCells cells;
 	const auto at = [&](std::size_t i, std::size_t j, std::size_t k)
 	{ return static_cast<vtkIdType>(i + radii.size() * (j + heights.size() * k)); };
 	eachMfixCell(mesh,
@@ -145,7 +148,7 @@ vtkSmartPointer<vtkFloatArray> mfixArray(const MfixRestart& mesh, const MfixValu
 
 } // namespace
 
-void readMfix(const Request& request, ManifestWriter& manifest)
+void readMfix(const Request& request, manifest::Writer& manifest)
 {
 	const MappedText text(request.file);
 	const MfixRestart mesh = parseMfixRestart(text.text());
@@ -158,8 +161,8 @@ void readMfix(const Request& request, ManifestWriter& manifest)
 	std::vector<double> times;
 	for (const MfixValues& file : files)
 		times.insert(times.end(), file.times().begin(), file.times().end());
-	times = inOrder(std::move(times));
-	const double time = chooseIfAny(times, request).value_or(0.0);
+	times = manifest::inOrder(std::move(times));
+	const double time = manifest::chooseIfAny(times, request).value_or(0.0);
 	const auto grid = mesh.is_cylindrical ? mfixSectors(mesh) : mfixBoxes(mesh);
 	std::vector<std::string> of_other_times;
 	for (const MfixValues& file : files)
@@ -180,3 +183,5 @@ void readMfix(const Request& request, ManifestWriter& manifest)
 	manifest.offerTimes(std::move(times));
 	manifest.add(grid);
 }
+
+} // namespace vp::reader::codes

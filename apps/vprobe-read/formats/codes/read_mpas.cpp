@@ -19,6 +19,9 @@
 #include <cmath>
 #include <numeric>
 
+namespace vp::reader::codes
+{
+
 namespace
 {
 
@@ -33,19 +36,19 @@ struct MpasMesh
 	std::vector<std::size_t> tops; // how many layers each cell has
 };
 
-std::vector<double> mpasValues(const NetcdfFile& file, const char* name, std::size_t count)
+std::vector<double> mpasValues(const hdf5::NetcdfFile& file, const char* name, std::size_t count)
 {
 	const int variable = file.variable(name);
 	if (variable < 0)
 		throw damaged(fmt::format("it has no {}", name));
-	std::vector<double> values = cfNumbers(file, variable);
+	std::vector<double> values = volumes::cfNumbers(file, variable);
 	if (values.size() != count)
 		throw damaged(fmt::format("{} has {} values for {}", name, values.size(), count));
 	return values;
 }
 
 // Layers go down into an ocean and up into an atmosphere: away from the vertex, or along z on a plane.
-vtkSmartPointer<vtkPoints> mpasPoints(const NetcdfFile& file, const MpasMesh& mesh)
+vtkSmartPointer<vtkPoints> mpasPoints(const hdf5::NetcdfFile& file, const MpasMesh& mesh)
 {
 	const std::vector<double> x = mpasValues(file, "xVertex", mesh.vertices);
 	const std::vector<double> y = mpasValues(file, "yVertex", mesh.vertices);
@@ -64,7 +67,7 @@ vtkSmartPointer<vtkPoints> mpasPoints(const NetcdfFile& file, const MpasMesh& me
 	return points;
 }
 
-void addMpasPrism(GrownCells& cells, const std::vector<vtkIdType>& corners)
+void addMpasPrism(cells::GrownCells& cells, const std::vector<vtkIdType>& corners)
 {
 	if (corners.size() != 6 && corners.size() != 8)
 		return cells.addPrism(corners);
@@ -73,15 +76,15 @@ void addMpasPrism(GrownCells& cells, const std::vector<vtkIdType>& corners)
 	cells.endCell(corners.size() == 6 ? VTK_WEDGE : VTK_HEXAHEDRON);
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> mpasGrid(const NetcdfFile& file, const MpasMesh& mesh)
+vtkSmartPointer<vtkUnstructuredGrid> mpasGrid(const hdf5::NetcdfFile& file, const MpasMesh& mesh)
 {
 	const int listed = file.variable("verticesOnCell");
 	const MpasSides sides = listed < 0 ? MpasSides() : file.dimensions(listed);
 	if (sides.size() != 2 || sides[0].second != mesh.cells)
 		throw damaged("its cells list no vertices");
-	const std::vector<double> lists = cfNumbers(file, listed);
+	const std::vector<double> lists = volumes::cfNumbers(file, listed);
 	const std::vector<double> counts = mpasValues(file, "nEdgesOnCell", mesh.cells);
-	GrownCells cells;
+	cells::GrownCells cells;
 	for (std::size_t cell = 0; cell < mesh.cells; ++cell)
 	{
 		if (!(counts[cell] >= 3 && counts[cell] <= static_cast<double>(sides[1].second)))
@@ -108,20 +111,20 @@ vtkSmartPointer<vtkUnstructuredGrid> mpasGrid(const NetcdfFile& file, const Mpas
 }
 
 // Variables of [Time], nCells and nVertLevels.
-void addMpasArrays(const NetcdfFile& file, const MpasMesh& mesh, std::size_t step, vtkUnstructuredGrid* grid)
+void addMpasArrays(const hdf5::NetcdfFile& file, const MpasMesh& mesh, std::size_t step, vtkUnstructuredGrid* grid)
 {
 	for (const auto& [variable, name, type] : file.variables())
 	{
 		const MpasSides sides = file.dimensions(variable);
 		const bool has_time = !sides.empty() && sides[0].first == "Time";
 		const std::size_t first = has_time ? 1 : 0;
-		if (cfTypeOf(file, variable) == 0 || sides.size() != first + 2 || sides[first].first != "nCells" ||
+		if (volumes::cfTypeOf(file, variable) == 0 || sides.size() != first + 2 || sides[first].first != "nCells" ||
 		    sides[first + 1].first != "nVertLevels")
 			continue;
-		CfSlab slab = CfSlab::of(file, variable);
+		volumes::CfSlab slab = volumes::CfSlab::of(file, variable);
 		if (has_time)
 			slab.fix(0, step);
-		const std::vector<double> values = cfNumbers(file, variable, slab);
+		const std::vector<double> values = volumes::cfNumbers(file, variable, slab);
 		vtkNew<vtkDoubleArray> array;
 		array->SetName(name.c_str());
 		for (std::size_t cell = 0; cell < mesh.cells; ++cell)
@@ -133,11 +136,11 @@ void addMpasArrays(const NetcdfFile& file, const MpasMesh& mesh, std::size_t ste
 
 } // namespace
 
-void readMpas(const Request& request, ManifestWriter& manifest)
+void readMpas(const Request& request, manifest::Writer& manifest)
 {
-	refuseShortNetcdf(request.file);
-	refuseMissingParts(request.file);
-	const NetcdfFile file(request.file);
+	checks::refuseShortNetcdf(request.file);
+	hdf5::refuseMissingParts(request.file);
+	const hdf5::NetcdfFile file(request.file);
 	MpasMesh mesh{file.length("nCells"), file.length("nVertices"), file.length("nVertLevels"), {}};
 	if (mesh.layers == 0 || mesh.cells == 0)
 		throw Refusal("nothing to slice: a mesh of MPAS without layers (nVertLevels)");
@@ -153,9 +156,11 @@ void readMpas(const Request& request, ManifestWriter& manifest)
 	}
 	std::vector<double> times(file.length("Time"));
 	std::iota(times.begin(), times.end(), 0.0);
-	const std::optional<double> time = chooseIfAny(times, request);
+	const std::optional<double> time = manifest::chooseIfAny(times, request);
 	const auto grid = mpasGrid(file, mesh);
 	addMpasArrays(file, mesh, static_cast<std::size_t>(time.value_or(0.0)), grid);
 	manifest.offerTimes(std::move(times));
 	manifest.add(grid);
 }
+
+} // namespace vp::reader::codes

@@ -19,6 +19,9 @@
 
 #include <filesystem>
 
+namespace vp::reader::codes
+{
+
 namespace
 {
 
@@ -47,9 +50,9 @@ std::string slacModesBeside(const std::string& mesh)
 // Variables of the mesh's points, and the time.
 std::vector<vtkSmartPointer<vtkDoubleArray>> slacModes(const std::string& path, std::size_t points, double& time)
 {
-	refuseShortNetcdf(path);
-	refuseMissingParts(path);
-	const NetcdfFile file(path);
+	checks::refuseShortNetcdf(path);
+	hdf5::refuseMissingParts(path);
+	const hdf5::NetcdfFile file(path);
 	for (const char* name : {"frequency", "frequencyreal"})
 		if (const int variable = file.variable(name); variable >= 0)
 			if (const std::vector<double> numbers = file.values(variable); numbers.size() == 1)
@@ -58,10 +61,10 @@ std::vector<vtkSmartPointer<vtkDoubleArray>> slacModes(const std::string& path, 
 	for (const auto& [variable, name, type] : file.variables())
 	{
 		const auto sides = file.dimensions(variable);
-		if (cfTypeOf(file, variable) == 0 || sides.empty() || sides.size() > 2 || sides[0].first != "ncoord" ||
+		if (volumes::cfTypeOf(file, variable) == 0 || sides.empty() || sides.size() > 2 || sides[0].first != "ncoord" ||
 		    name == "coords" || (sides.size() == 2 && sides[1].second > 64))
 			continue;
-		const std::vector<double> values = cfNumbers(file, variable);
+		const std::vector<double> values = volumes::cfNumbers(file, variable);
 		if (sides[0].second != points || values.empty())
 			throw Refusal(fmt::format("{} holds values of {} points where the mesh has {}; name the right one with "
 			                          "--solution",
@@ -85,16 +88,16 @@ vtkSmartPointer<vtkMultiBlockDataSet> slacVolumes(const std::string& path)
 	reader->ReadExternalSurfaceOff();
 	reader->ReadMidpointsOff();
 	reader->Update();
-	refuseOnComplaint();
+	checks::refuseOnComplaint();
 	return vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(vtkSLACReader::VOLUME_OUTPUT));
 }
 
 } // namespace
 
-void readSlac(const Request& request, ManifestWriter& manifest)
+void readSlac(const Request& request, manifest::Writer& manifest)
 {
-	refuseShortNetcdf(request.file);
-	refuseMissingParts(request.file);
+	checks::refuseShortNetcdf(request.file);
+	hdf5::refuseMissingParts(request.file);
 	const auto volumes = slacVolumes(request.file);
 	std::vector<std::pair<unsigned, vtkUnstructuredGrid*>> grids;
 	for (unsigned volume = 0; volume < volumes->GetNumberOfBlocks(); ++volume)
@@ -110,10 +113,10 @@ void readSlac(const Request& request, ManifestWriter& manifest)
 		manifest.warn("no file of modes (.mod), or more than one, lies beside this mesh; --solution names one");
 	else
 		modes = slacModes(path, static_cast<std::size_t>(grids[0].second->GetNumberOfPoints()), time);
-	std::vector<double> times = inOrder({time});
+	std::vector<double> times = manifest::inOrder({time});
 	if (!(time < kMinFrequency))
 		times.clear();
-	chooseIfAny(times, request);
+	manifest::chooseIfAny(times, request);
 	manifest.offerTimes(std::move(times));
 	for (const auto& [volume, grid] : grids)
 	{
@@ -123,3 +126,5 @@ void readSlac(const Request& request, ManifestWriter& manifest)
 		manifest.add(grid);
 	}
 }
+
+} // namespace vp::reader::codes

@@ -13,6 +13,9 @@
 #include <cmath>
 #include <limits>
 
+namespace vp::reader::codes
+{
+
 namespace
 {
 
@@ -24,7 +27,7 @@ struct VelodyneLayout
 	std::array<double, 3> spacing;    // of level 1
 };
 
-VelodyneLayout velodyneLayout(const Hdf5File& file)
+VelodyneLayout velodyneLayout(const hdf5::File& file)
 {
 	const std::vector<double> cells = file.realsOr(kVelodyneRoot, "BlockDims");
 	const std::vector<double> spacing = file.realsOr(kVelodyneRoot, "RootDX");
@@ -42,8 +45,8 @@ VelodyneLayout velodyneLayout(const Hdf5File& file)
 }
 
 // Boxes of one group, whose cells are `times` as many along each axis.
-void addVelodyneBoxes(const Hdf5File& file, const std::string& group, VelodyneLayout layout, std::size_t times,
-                      const Request& request, ManifestWriter& manifest)
+void addVelodyneBoxes(const hdf5::File& file, const std::string& group, VelodyneLayout layout, std::size_t times,
+                      const Request& request, manifest::Writer& manifest)
 {
 	if (!file.has(group))
 		return;
@@ -53,11 +56,11 @@ void addVelodyneBoxes(const Hdf5File& file, const std::string& group, VelodyneLa
 	const std::vector<double> corners = file.reals(group + "/X0");
 	if (corners.size() != 3 * levels.size())
 		throw damaged(fmt::format("{} has {} places for {} boxes", group, corners.size() / 3, levels.size()));
-	std::vector<CellArrayName> names;
+	std::vector<boxes::CellArrayName> names;
 	for (const std::string& name : file.namesIn(group)) // boxes, z, y, x, components
 		if (const std::vector<std::uint64_t> sides = file.sidesOf(group + "/" + name); sides.size() == 5)
 			names.push_back({name, static_cast<int>(sides[4])});
-	const CellArrayChoice choice(request, names);
+	const boxes::CellArrayChoice choice(request, names);
 	std::map<std::string, std::vector<double>> values;
 	for (const std::string& name : choice.wanted())
 	{
@@ -71,15 +74,15 @@ void addVelodyneBoxes(const Hdf5File& file, const std::string& group, VelodyneLa
 	{
 		if (levels[b] < 1 || levels[b] > 64)
 			throw damaged(fmt::format("a box of level {}", levels[b]));
-		CellBox box = {{corners[3 * b], corners[3 * b + 1], corners[3 * b + 2]}, {}, layout.cells};
+		boxes::CellBox box = {{corners[3 * b], corners[3 * b + 1], corners[3 * b + 2]}, {}, layout.cells};
 		for (std::size_t axis = 0; axis < 3; ++axis)
 			box.hi[axis] = box.lo[axis] + std::ldexp(layout.spacing[axis], 1 - static_cast<int>(levels[b])) *
 			                                  static_cast<double>(box.cells[axis]);
-		const auto image = imageOfBox(box);
+		const auto image = boxes::imageOfBox(box);
 		for (const auto& [name, all] : values)
 		{
 			const std::size_t each = all.size() / levels.size();
-			addCellArray(image, name, std::span(all).subspan(b * each, each));
+			boxes::addCellArray(image, name, std::span(all).subspan(b * each, each));
 		}
 		choice.noteLeftOut(manifest);
 		manifest.setPrefix(fmt::format("level {}, {} {}", levels[b], times == 1 ? "box" : "full box", b));
@@ -89,12 +92,15 @@ void addVelodyneBoxes(const Hdf5File& file, const std::string& group, VelodyneLa
 
 } // namespace
 
-void readVelodyne(const Request& request, ManifestWriter& manifest)
+void readVelodyne(const Request& request, manifest::Writer& manifest)
 {
-	const Hdf5File file(request.file);
+	const hdf5::File file(request.file);
 	const VelodyneLayout layout = velodyneLayout(file);
-	offerOnlyTime(file.realOr(kVelodyneRoot, "SimTime", std::numeric_limits<double>::quiet_NaN()), request, manifest);
+	boxes::offerOnlyTime(file.realOr(kVelodyneRoot, "SimTime", std::numeric_limits<double>::quiet_NaN()), request,
+	                     manifest);
 	const std::string root = kVelodyneRoot;
 	addVelodyneBoxes(file, root + "/Leaves", layout, 1, request, manifest);
 	addVelodyneBoxes(file, root + "/FullLeaves", layout, 2, request, manifest);
 }
+
+} // namespace vp::reader::codes

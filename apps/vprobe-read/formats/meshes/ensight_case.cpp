@@ -14,6 +14,9 @@
 #include <limits>
 #include <sstream>
 
+namespace vp::reader::meshes
+{
+
 namespace
 {
 
@@ -220,7 +223,7 @@ private:
 	{
 		EnSightCase::Constant constant;
 		// A name may be a number too: the set is one if a name and a value follow.
-		if (words.size() > 2 && wholeNumber(words[0]) && !vp::parseReal(words[1]))
+		if (words.size() > 2 && wholeNumber(words[0]) && !parseReal(words[1]))
 		{
 			constant.time_set = wholeNumber(words[0]);
 			words.erase(words.begin());
@@ -234,7 +237,7 @@ private:
 			return;
 		}
 		for (std::size_t i = 1; i < words.size(); ++i)
-			constant.values.push_back(vp::parseReal(words[i]).value_or(std::numeric_limits<double>::quiet_NaN()));
+			constant.values.push_back(parseReal(words[i]).value_or(std::numeric_limits<double>::quiet_NaN()));
 		about_.constants.push_back(std::move(constant));
 	}
 
@@ -257,7 +260,7 @@ private:
 		else if (key.starts_with("time values"))
 			for (const std::string& word : words)
 			{
-				const std::optional<double> time = vp::parseReal(word);
+				const std::optional<double> time = parseReal(word);
 				if (!time || !std::isfinite(*time))
 					throw damaged(fmt::format("its time \"{}\" is no number", word.substr(0, 20)));
 				set.times.push_back(*time);
@@ -333,3 +336,5 @@ EnSightCase readEnSightCase(const std::string& file)
 {
 	return CaseParser(file).parse();
 }
+
+} // namespace vp::reader::meshes

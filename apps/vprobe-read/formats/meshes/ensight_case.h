@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+namespace vp::reader::meshes
+{
+
 // One of the times of a case. `occurrence` counts the steps of equal times.
 struct EnSightTime
 {
@@ -87,3 +90,5 @@ EnSightPlace placeOf(const EnSightCase& about, const EnSightCase::Files& files, 
 
 // The time set that the files use; null if they do not change.
 const EnSightCase::TimeSet* timeSetOf(const EnSightCase& about, const EnSightCase::Files& files);
+
+} // namespace vp::reader::meshes

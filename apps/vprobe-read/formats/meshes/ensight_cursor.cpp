@@ -1,6 +1,7 @@
 #include "ensight_cursor.h"
 
 #include "base/real_text.h"
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/refusal.h"
 
 #include <fmt/format.h>
@@ -8,11 +9,13 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
-#include <cstring>
 #include <filesystem>
 #include <limits>
 #include <optional>
 #include <sstream>
+
+namespace vp::reader::meshes
+{
 
 namespace
 {
@@ -38,9 +41,7 @@ std::string_view withoutSpace(std::string_view text)
 
 std::uint32_t fortranMark(std::string_view bytes, std::size_t at, bool swaps)
 {
-	std::uint32_t mark = 0;
-	std::memcpy(&mark, bytes.data() + at, 4);
-	return swaps ? __builtin_bswap32(mark) : mark;
+	return numberAt<std::uint32_t>(bytes.data() + at, byteOrder(swaps));
 }
 
 // The contents of Fortran's records without the lengths around them. A length below 0 is that of a part of a record.
@@ -232,10 +233,8 @@ std::uint32_t EnSightCursor::word()
 {
 	if (bytes_.size() - at_ < 4)
 		endsEarly();
-	std::uint32_t value = 0;
-	std::memcpy(&value, bytes_.data() + at_, 4);
 	at_ += 4;
-	return swaps_ ? __builtin_bswap32(value) : value;
+	return numberAt<std::uint32_t>(bytes_.data() + at_ - 4, byteOrder(swaps_));
 }
 
 std::int64_t EnSightCursor::integer()
@@ -301,7 +300,7 @@ double EnSightCursor::textReal()
 	while (end < bytes_.size() && !isWhite(bytes_[end]))
 		++end;
 	const std::string_view all = bytes_.substr(at_, end - at_);
-	if (const std::optional<double> value = vp::parseReal(all))
+	if (const std::optional<double> value = parseReal(all))
 	{
 		at_ = end;
 		return *value;
@@ -319,7 +318,7 @@ double EnSightCursor::textReal()
 		if (is_letter && length + 1 < all.size() && (all[length + 1] == '-' || all[length + 1] == '+'))
 			++length;
 	}
-	const std::optional<double> value = vp::parseReal(all.substr(0, length));
+	const std::optional<double> value = parseReal(all.substr(0, length));
 	if (!value)
 		refuse(fmt::format("\"{}\" where a number is wanted", ensightWords(all)));
 	at_ += length;
@@ -352,3 +351,5 @@ void EnSightCursor::skip(std::int64_t numbers)
 	else
 		at_ += static_cast<std::size_t>(numbers) * 4;
 }
+
+} // namespace vp::reader::meshes

@@ -8,6 +8,9 @@
 #include <string_view>
 #include <vector>
 
+namespace vp::reader::meshes
+{
+
 // A file of an EnSight case in memory. Fortran's records are joined, so it is text or C binary from here on.
 class EnSightFile
 {
@@ -86,3 +89,5 @@ std::vector<std::string> wordsOf(std::string_view line);
 
 // The beginning of a text for a line of an error: bytes that are no printable ASCII become question marks.
 std::string ensightWords(std::string_view text);
+
+} // namespace vp::reader::meshes

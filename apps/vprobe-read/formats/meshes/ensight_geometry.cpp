@@ -11,6 +11,9 @@
 #include <numeric>
 #include <unordered_map>
 
+namespace vp::reader::meshes
+{
+
 namespace
 {
 
@@ -391,3 +394,5 @@ void takeEnSightCells(EnSightGeometry& geometry, const EnSightGeometry& other, c
 		part.name = source.name;
 	}
 }
+
+} // namespace vp::reader::meshes

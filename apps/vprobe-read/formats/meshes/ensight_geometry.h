@@ -8,6 +8,9 @@
 #include <string>
 #include <vector>
 
+namespace vp::reader::meshes
+{
+
 // Elements of one type in a part. Their nodes are points of the part, from 0.
 struct EnSightElements
 {
@@ -63,3 +66,5 @@ EnSightGeometry readEnSightGeometry(const EnSightFile& file, std::string_view st
 
 // Gives the parts that have no elements those of another step. Throws a Refusal if the points are not as many.
 void takeEnSightCells(EnSightGeometry& geometry, const EnSightGeometry& other, const std::string& name);
+
+} // namespace vp::reader::meshes

@@ -22,6 +22,9 @@
 #include <algorithm>
 #include <span>
 
+namespace vp::reader::meshes
+{
+
 namespace
 {
 
@@ -230,3 +233,5 @@ void addEnSightArray(vtkDataSet* grid, const std::string& name, bool per_node, i
 	else
 		grid->GetCellData()->AddArray(array);
 }
+
+} // namespace vp::reader::meshes

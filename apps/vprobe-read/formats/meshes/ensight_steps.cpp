@@ -9,6 +9,9 @@
 #include <limits>
 #include <set>
 
+namespace vp::reader::meshes
+{
+
 namespace
 {
 
@@ -118,3 +121,5 @@ EnSightPlace placeOf(const EnSightCase& about, const EnSightCase::Files& files, 
 		throw damaged(fmt::format("it has no number for the asterisks of {}", name));
 	return {numbered(name, times->numbers[step]), 0, false};
 }
+
+} // namespace vp::reader::meshes

@@ -8,6 +8,9 @@
 #include <charconv>
 #include <limits>
 
+namespace vp::reader::meshes
+{
+
 namespace
 {
 
@@ -202,3 +205,5 @@ EnSightValues readEnSightValues(const EnSightFile& file, std::string_view step, 
 	at.setSwaps(geometry.swaps != hasOtherOrder(file, step, geometry));
 	return ValuesReader(at, geometry, per_node, components).read();
 }
+
+} // namespace vp::reader::meshes

@@ -12,7 +12,10 @@
 #include <tuple>
 #include <unordered_set>
 
-GmshData readGmshData(TextCursor& at, GmshSection& section, bool of_nodes)
+namespace vp::reader::meshes
+{
+
+GmshData readGmshData(text::Cursor& at, GmshSection& section, bool of_nodes)
 {
 	GmshData data;
 	data.of_nodes = of_nodes;
@@ -146,3 +149,5 @@ std::vector<GmshView> gmshViewsAt(std::vector<GmshData> all, std::optional<doubl
 		}
 	return chosen;
 }
+
+} // namespace vp::reader::meshes

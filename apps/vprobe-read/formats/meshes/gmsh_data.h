@@ -6,8 +6,11 @@
 #include <optional>
 #include <vector>
 
+namespace vp::reader::meshes
+{
+
 // Reads $NodeData or $ElementData behind its name. Their tags are text in binary files too.
-GmshData readGmshData(TextCursor& at, GmshSection& section, bool of_nodes);
+GmshData readGmshData(text::Cursor& at, GmshSection& section, bool of_nodes);
 
 // The times of all steps. Steps that all have one time are numbered instead.
 std::vector<double> gmshTimes(std::vector<GmshData>& all);
@@ -21,3 +24,5 @@ struct GmshView
 	bool is_before = false;
 };
 std::vector<GmshView> gmshViewsAt(std::vector<GmshData> all, std::optional<double> time);
+
+} // namespace vp::reader::meshes

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 
+namespace vp::reader::meshes
+{
+
 namespace
 {
 
@@ -94,3 +97,5 @@ std::string_view gmshNameOf(std::int64_t type)
 	const auto higher = std::ranges::find(kHigher, type, &GmshHigher::type);
 	return higher == std::end(kHigher) ? std::string_view() : higher->name;
 }
+
+} // namespace vp::reader::meshes

@@ -4,6 +4,9 @@
 #include <span>
 #include <string_view>
 
+namespace vp::reader::meshes
+{
+
 // How VTK has an element of Gmsh. Its corner i is the element's node order[i]; without an order they are the same.
 struct GmshElement
 {
@@ -17,3 +20,5 @@ GmshElement gmshElement(std::int64_t type);
 
 // What a type is called, such as "hexahedra of order 3"; empty for those that are read and for unknown ones.
 std::string_view gmshNameOf(std::int64_t type);
+
+} // namespace vp::reader::meshes

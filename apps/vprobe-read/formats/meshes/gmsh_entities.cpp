@@ -2,6 +2,9 @@
 
 #include <array>
 
+namespace vp::reader::meshes
+{
+
 GmshEntities::Tag GmshEntities::wholeOf(Tag dimension, Tag tag) const
 {
 	const auto found = of.find({dimension, tag});
@@ -70,3 +73,5 @@ void readGmshEntities(GmshSection& section, bool is_41, bool is_partitioned, Gms
 				section.integer();
 		}
 }
+
+} // namespace vp::reader::meshes

@@ -8,6 +8,9 @@
 #include <utility>
 #include <vector>
 
+namespace vp::reader::meshes
+{
+
 // What version 4 says of the entities that elements belong to.
 struct GmshEntities
 {
@@ -30,3 +33,5 @@ struct GmshEntities
 
 // Reads $Entities or $PartitionedEntities of version 4.0 or 4.1.
 void readGmshEntities(GmshSection& section, bool is_41, bool is_partitioned, GmshEntities& entities);
+
+} // namespace vp::reader::meshes

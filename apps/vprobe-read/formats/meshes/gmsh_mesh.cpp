@@ -14,6 +14,9 @@
 #include <array>
 #include <string>
 
+namespace vp::reader::meshes
+{
+
 namespace
 {
 
@@ -38,7 +41,7 @@ public:
 			at_.skipPast((version_ < 2.0 ? "$END" : "$End") + name.substr(1));
 		}
 		const bool has_solid =
-		    std::ranges::any_of(mesh_.types, [](std::uint8_t type) { return vp::read::cellDimension(type) == 3; });
+		    std::ranges::any_of(mesh_.types, [](std::uint8_t type) { return read::cellDimension(type) == 3; });
 		if (!has_solid && !mesh_.unknown_types.empty())
 			throw aboveSecondOrder();
 		if (mesh_.coordinates.empty() || mesh_.tags.empty())
@@ -87,7 +90,7 @@ private:
 		if (binary_)
 		{
 			const auto one = at_.binary<std::int32_t>();
-			at_.setSwaps(one == 0x01000000);
+			at_.setOrder(byteOrder(one == 0x01000000));
 			if (one != 1 && one != 0x01000000)
 				throw damaged("its byte order cannot be told");
 		}
@@ -366,7 +369,7 @@ private:
 			mesh_.ghost.resize(mesh_.types.size());
 	}
 
-	TextCursor at_;
+	text::Cursor at_;
 	GmshMesh mesh_;
 	double version_ = 0.0;
 	bool binary_ = false;
@@ -381,3 +384,5 @@ GmshMesh parseGmsh(std::string_view file)
 {
 	return Parser(file).parse();
 }
+
+} // namespace vp::reader::meshes

@@ -8,6 +8,9 @@
 #include <utility>
 #include <vector>
 
+namespace vp::reader::meshes
+{
+
 // Data over nodes or elements at one time, as a post-processing section of a Gmsh file has them.
 struct GmshData
 {
@@ -47,3 +50,5 @@ struct GmshMesh
 
 // Throws a Refusal for a file that is damaged, or of another version.
 GmshMesh parseGmsh(std::string_view file);
+
+} // namespace vp::reader::meshes

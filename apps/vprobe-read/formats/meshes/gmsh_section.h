@@ -5,6 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 
+namespace vp::reader::meshes
+{
+
 // Numbers of one section of a Gmsh file, in text or binary.
 class GmshSection
 {
@@ -12,7 +15,7 @@ public:
 	using Tag = std::int64_t;
 
 	// `narrow`: the program that wrote the file counts in 32 bits.
-	GmshSection(TextCursor& at, bool binary, bool narrow) : at_(at), binary_(binary), narrow_(narrow) {}
+	GmshSection(text::Cursor& at, bool binary, bool narrow) : at_(at), binary_(binary), narrow_(narrow) {}
 
 	// 32 bits in a binary file.
 	Tag integer() { return binary_ ? at_.binary<std::int32_t>() : at_.integer(); }
@@ -23,7 +26,9 @@ public:
 	bool binary() const { return binary_; }
 
 private:
-	TextCursor& at_;
+	text::Cursor& at_;
 	bool binary_;
 	bool narrow_;
 };
+
+} // namespace vp::reader::meshes

@@ -8,6 +8,9 @@
 #include <set>
 #include <span>
 
+namespace vp::reader::meshes
+{
+
 namespace
 {
 
@@ -135,3 +138,5 @@ void joinGmshTwins(GmshMesh& mesh)
 	if (has_twins)
 		takeOut(mesh, twin_of);
 }
+
+} // namespace vp::reader::meshes

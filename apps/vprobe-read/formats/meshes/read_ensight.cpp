@@ -22,15 +22,18 @@
 #include <filesystem>
 #include <set>
 
+namespace vp::reader::meshes
+{
+
 namespace
 {
 
 class EnSightReader
 {
 public:
-	EnSightReader(const Request& request, ManifestWriter& manifest)
+	EnSightReader(const Request& request, manifest::Writer& manifest)
 	    : request_(request), manifest_(manifest), about_(readEnSightCase(request.file)),
-	      ends_inside_(endsInsideALine(request.file))
+	      ends_inside_(text::endsInsideALine(request.file))
 	{
 	}
 
@@ -60,12 +63,12 @@ private:
 		const std::vector<double> times = timesOf(about_);
 		if (!times.empty())
 		{
-			const std::size_t chosen = chooseStep(times, request_);
+			const std::size_t chosen = manifest::chooseStep(times, request_);
 			const auto first = std::ranges::lower_bound(times, times[chosen]);
 			time_ = {times[chosen], chosen - static_cast<std::size_t>(first - times.begin())};
 		}
 		else
-			chooseIfAny(times, request_);
+			manifest::chooseIfAny(times, request_);
 		manifest_.offerTimes(times);
 	}
 
@@ -123,7 +126,7 @@ private:
 		const std::string path = pathOf(place.file);
 		const EnSightFile file(path);
 		form_ = file.form();
-		ends_inside_ |= form_ == EnSightFile::Form::text && endsInsideALine(path);
+		ends_inside_ |= form_ == EnSightFile::Form::text && text::endsInsideALine(path);
 		const bool has_times = timeSetOf(about_, about_.model) != nullptr;
 		return readEnSightGeometry(file, bytesOf(file, place, has_times), about_.is_gold, may_lack_cells);
 	}
@@ -162,7 +165,7 @@ private:
 		const EnSightPlace place = placeOf(about_, variable.files, which, stepOf(variable.files, name));
 		const std::string path = pathOf(place.file);
 		const EnSightFile file(path, form_);
-		ends_inside_ |= !isBinary() && endsInsideALine(path);
+		ends_inside_ |= !isBinary() && text::endsInsideALine(path);
 		const bool has_times = timeSetOf(about_, variable.files) != nullptr;
 		const EnSightValues values =
 		    readEnSightValues(file, bytesOf(file, place, has_times), geometry_, variable.per_node, variable.components);
@@ -174,7 +177,7 @@ private:
 	void tellNotes()
 	{
 		if (ends_inside_)
-			manifest_.warn(kCutTextWarning);
+			manifest_.warn(text::kCutTextWarning);
 		for (const std::string& note : about_.notes)
 			manifest_.warn(note);
 		if (!about_.left_out.empty())
@@ -195,7 +198,7 @@ private:
 	}
 
 	const Request& request_;
-	ManifestWriter& manifest_;
+	manifest::Writer& manifest_;
 	EnSightCase about_;
 	bool ends_inside_;
 	EnSightTime time_;
@@ -207,7 +210,9 @@ private:
 
 } // namespace
 
-void readEnSight(const Request& request, ManifestWriter& manifest)
+void readEnSight(const Request& request, manifest::Writer& manifest)
 {
 	EnSightReader(request, manifest).read();
 }
+
+} // namespace vp::reader::meshes

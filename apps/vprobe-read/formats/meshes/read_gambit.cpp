@@ -21,6 +21,9 @@
 #include <unordered_map>
 #include <vector>
 
+namespace vp::reader::meshes
+{
+
 namespace
 {
 
@@ -77,7 +80,7 @@ void goAroundFaces(vtkPoints* points, int type, std::array<vtkIdType, 8>& corner
 		std::swap(corners[6], corners[7]);
 }
 
-GambitCounts readGambitCounts(TextCursor& at)
+GambitCounts readGambitCounts(text::Cursor& at)
 {
 	while (!at.peekLine().starts_with("NUMNP"))
 		at.line();
@@ -94,14 +97,14 @@ GambitCounts readGambitCounts(TextCursor& at)
 	return counts;
 }
 
-void endGambitSection(TextCursor& at)
+void endGambitSection(text::Cursor& at)
 {
 	if (at.word() != "ENDOFSECTION")
 		throw damaged("a section is longer than it announces");
 }
 
 // The heading of a section, and the version behind it.
-void startGambitSection(TextCursor& at, std::string_view heading)
+void startGambitSection(text::Cursor& at, std::string_view heading)
 {
 	while (!at.peekLine().starts_with(heading))
 		at.line();
@@ -109,7 +112,7 @@ void startGambitSection(TextCursor& at, std::string_view heading)
 	at.line();
 }
 
-void readGambitNodes(TextCursor& at, std::size_t count, vtkPoints* points, GambitIds& ids)
+void readGambitNodes(text::Cursor& at, std::size_t count, vtkPoints* points, GambitIds& ids)
 {
 	startGambitSection(at, "NODAL COORDINATES");
 	points->SetDataTypeToDouble();
@@ -124,7 +127,7 @@ void readGambitNodes(TextCursor& at, std::size_t count, vtkPoints* points, Gambi
 	endGambitSection(at);
 }
 
-void readGambitElements(TextCursor& at, std::size_t count, const GambitIds& nodes, vtkUnstructuredGrid* grid,
+void readGambitElements(text::Cursor& at, std::size_t count, const GambitIds& nodes, vtkUnstructuredGrid* grid,
                         GambitIds& ids)
 {
 	startGambitSection(at, "ELEMENTS/CELLS");
@@ -154,14 +157,14 @@ void readGambitElements(TextCursor& at, std::size_t count, const GambitIds& node
 	endGambitSection(at);
 }
 
-std::int64_t gambitNumber(TextCursor& at, std::string_view word)
+std::int64_t gambitNumber(text::Cursor& at, std::string_view word)
 {
 	if (at.word() != word)
 		throw damaged(fmt::format("a group without {}", word));
 	return at.integer();
 }
 
-int gambitSmallNumber(TextCursor& at, std::string_view word)
+int gambitSmallNumber(text::Cursor& at, std::string_view word)
 {
 	const std::int64_t number = gambitNumber(at, word);
 	if (number < 0 || number > std::numeric_limits<int>::max())
@@ -170,7 +173,7 @@ int gambitSmallNumber(TextCursor& at, std::string_view word)
 }
 
 // Returns how many of its elements are in an earlier group too.
-std::size_t readGambitGroup(TextCursor& at, const GambitIds& elements, std::vector<bool>& seen, vtkIntArray* material,
+std::size_t readGambitGroup(text::Cursor& at, const GambitIds& elements, std::vector<bool>& seen, vtkIntArray* material,
                             vtkIntArray* group)
 {
 	startGambitSection(at, "ELEMENT GROUP");
@@ -202,7 +205,7 @@ std::size_t readGambitGroup(TextCursor& at, const GambitIds& elements, std::vect
 }
 
 // What follows are boundary conditions alone: sections that are not announced would be missing without a word.
-void refuseMoreGroups(TextCursor& at)
+void refuseMoreGroups(text::Cursor& at)
 {
 	while (!at.atEnd())
 		if (at.line().starts_with("ELEMENT GROUP"))
@@ -211,10 +214,10 @@ void refuseMoreGroups(TextCursor& at)
 
 } // namespace
 
-void readGambit(const Request& request, ManifestWriter& manifest)
+void readGambit(const Request& request, manifest::Writer& manifest)
 {
 	const MappedText file(request.file);
-	TextCursor at(file.text());
+	text::Cursor at(file.text());
 	const GambitCounts counts = readGambitCounts(at);
 	endGambitSection(at);
 	vtkNew<vtkPoints> points;
@@ -242,3 +245,5 @@ void readGambit(const Request& request, ManifestWriter& manifest)
 		manifest.warn(fmt::format("{} of its elements are in several groups; the first one is shown", repeated));
 	manifest.add(grid);
 }
+
+} // namespace vp::reader::meshes

@@ -31,6 +31,9 @@
 #include <map>
 #include <set>
 
+namespace vp::reader::meshes
+{
+
 namespace
 {
 
@@ -74,7 +77,7 @@ void forEachGroup(const GmshMesh& mesh, std::size_t element, Visit&& visit)
 // Where cells are in several groups, an array for each group of cells: 1 for those in it. Returns how many cells are.
 std::size_t addGroups(const GmshMesh& mesh, vtkUnstructuredGrid* grid)
 {
-	const auto isSolid = [&](std::size_t element) { return vp::read::cellDimension(mesh.types[element]) == 3; };
+	const auto isSolid = [&](std::size_t element) { return read::cellDimension(mesh.types[element]) == 3; };
 	const auto shared = std::ranges::count_if(mesh.more_groups, [&](const auto& more)
 	                                          { return isSolid(static_cast<std::size_t>(more.first)); });
 	if (shared == 0)
@@ -103,7 +106,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> patchesOf(const GmshMesh& mesh, vtkUnstruc
 {
 	std::map<std::string, std::vector<vtkIdType>> faces;
 	for (std::size_t e = 0; e < mesh.types.size(); ++e)
-		if (vp::read::cellDimension(mesh.types[e]) == 2)
+		if (read::cellDimension(mesh.types[e]) == 2)
 			forEachGroup(mesh, e,
 			             [&](std::int32_t group)
 			             { faces[nameOfGroup(mesh, 2, group)].push_back(static_cast<vtkIdType>(e)); });
@@ -173,16 +176,16 @@ vtkSmartPointer<vtkDoubleArray> valuesOf(const GmshData& data, std::size_t tuple
 
 } // namespace
 
-void readGmsh(const Request& request, ManifestWriter& manifest)
+void readGmsh(const Request& request, manifest::Writer& manifest)
 {
 	const MappedText file(request.file);
 	GmshMesh mesh = parseGmsh(file.text());
 	const auto grid = gridOf(mesh);
 
-	std::vector<double> times = inOrder(gmshTimes(mesh.data));
+	std::vector<double> times = manifest::inOrder(gmshTimes(mesh.data));
 	if (times.size() == 1)
 		times.clear(); // results without a time have 0
-	const std::optional<double> time = chooseIfAny(times, request);
+	const std::optional<double> time = manifest::chooseIfAny(times, request);
 
 	std::unordered_map<std::int64_t, std::int64_t> element_of_tag;
 	for (std::size_t e = 0; e < mesh.tags.size() && !mesh.data.empty(); ++e)
@@ -216,3 +219,5 @@ void readGmsh(const Request& request, ManifestWriter& manifest)
 		manifest.addPatches(patchesOf(mesh, grid));
 	manifest.offerTimes(std::move(times));
 }
+
+} // namespace vp::reader::meshes

@@ -26,6 +26,9 @@
 #include <string_view>
 #include <vector>
 
+namespace vp::reader::meshes
+{
+
 namespace
 {
 
@@ -151,7 +154,7 @@ double medVolume(vtkPoints* points, vtkIdType a, vtkIdType b, vtkIdType c, vtkId
 }
 
 // MED's cells are mirrored by its description; not all programs do that, so their volumes tell.
-void addMedCells(const Hdf5File& file, const std::string& group, const MedKind& kind, MedMesh& mesh)
+void addMedCells(const hdf5::File& file, const std::string& group, const MedKind& kind, MedMesh& mesh)
 {
 	const std::vector<std::int64_t> nodes = file.integers(group + "/NOD");
 	const std::size_t count = nodes.size() / kind.nodes;
@@ -179,7 +182,7 @@ void addMedCells(const Hdf5File& file, const std::string& group, const MedKind& 
 	}
 }
 
-void readMedPoints(const Hdf5File& file, const std::string& group, MedMesh& mesh)
+void readMedPoints(const hdf5::File& file, const std::string& group, MedMesh& mesh)
 {
 	const std::vector<double> places = file.reals(group + "/NOE/COO"); // all x, all y, all z
 	if (places.size() % 3 != 0)
@@ -194,7 +197,7 @@ void readMedPoints(const Hdf5File& file, const std::string& group, MedMesh& mesh
 	mesh.grid->SetPoints(points);
 }
 
-void readMedMesh(const Hdf5File& file, MedMesh& mesh, ManifestWriter& manifest)
+void readMedMesh(const hdf5::File& file, MedMesh& mesh, manifest::Writer& manifest)
 {
 	const std::string root = "/ENS_MAA/" + mesh.name;
 	if (file.realOr(root, "ESP", 3) != 3)
@@ -227,7 +230,7 @@ void readMedMesh(const Hdf5File& file, MedMesh& mesh, ManifestWriter& manifest)
 
 // Returns the place of each component in an array of ours. A symmetric tensor is xx yy zz xy yz xz there; in the file
 // the names of its components end with these letters, in any order, as code_aster's SIXX SIYY SIZZ SIXY SIXZ SIYZ.
-std::vector<int> medPlaces(const Hdf5File& file, const std::string& field, std::size_t components)
+std::vector<int> medPlaces(const hdf5::File& file, const std::string& field, std::size_t components)
 {
 	constexpr std::size_t kNameLength = 16;
 	constexpr std::array<std::string_view, 6> tensor = {"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
@@ -247,8 +250,8 @@ std::vector<int> medPlaces(const Hdf5File& file, const std::string& field, std::
 }
 
 // Copies values that lie component by component into a stretch of an array.
-void fillMed(const Hdf5File& file, const std::string& field, const std::string& group, vtkDoubleArray* array,
-             vtkIdType first, vtkIdType count, ManifestWriter& manifest)
+void fillMed(const hdf5::File& file, const std::string& field, const std::string& group, vtkDoubleArray* array,
+             vtkIdType first, vtkIdType count, manifest::Writer& manifest)
 {
 	const std::vector<std::string> profiles = file.namesIn(group);
 	if (profiles.size() != 1 || profiles[0] != "MED_NO_PROFILE_INTERNAL")
@@ -268,7 +271,7 @@ void fillMed(const Hdf5File& file, const std::string& field, const std::string& 
 			array->SetTypedComponent(first + static_cast<vtkIdType>(i), places[c], values[c * tuples + i]);
 }
 
-vtkSmartPointer<vtkDoubleArray> medArray(const Hdf5File& file, const std::string& field, vtkIdType tuples)
+vtkSmartPointer<vtkDoubleArray> medArray(const hdf5::File& file, const std::string& field, vtkIdType tuples)
 {
 	const double components = file.realOr("/CHA/" + field, "NCO", 1);
 	if (!(components >= 1 && components <= 64))
@@ -285,8 +288,8 @@ vtkSmartPointer<vtkDoubleArray> medArray(const Hdf5File& file, const std::string
 	return array;
 }
 
-void addMedField(const Hdf5File& file, const std::string& field, const std::string& step, MedMesh& mesh,
-                 ManifestWriter& manifest)
+void addMedField(const hdf5::File& file, const std::string& field, const std::string& step, MedMesh& mesh,
+                 manifest::Writer& manifest)
 {
 	const std::string group = "/CHA/" + field + "/" + step + "/";
 	if (file.has(group + "NOE"))
@@ -311,9 +314,9 @@ void addMedField(const Hdf5File& file, const std::string& field, const std::stri
 
 } // namespace
 
-void readMed(const Request& request, ManifestWriter& manifest)
+void readMed(const Request& request, manifest::Writer& manifest)
 {
-	const Hdf5File file(request.file);
+	const hdf5::File file(request.file);
 	const std::vector<std::string> fields = file.namesIn("/CHA");
 	std::vector<std::vector<double>> lists; // the times of each field's steps
 	for (const std::string& field : fields)
@@ -322,10 +325,10 @@ void readMed(const Request& request, ManifestWriter& manifest)
 		for (const std::string& step : file.namesIn("/CHA/" + field))
 			lists.back().push_back(file.realOr("/CHA/" + field + "/" + step, "PDT", 0.0));
 	}
-	std::vector<double> times = unitedTimes(lists);
+	std::vector<double> times = manifest::unitedTimes(lists);
 	if (times.size() == 1)
 		times.clear();
-	const std::optional<TimeInList> time = chooseInLists(times, request);
+	const std::optional<manifest::TimeInList> time = manifest::chooseInLists(times, request);
 	for (const std::string& name : file.namesIn("/ENS_MAA"))
 	{
 		MedMesh mesh;
@@ -345,3 +348,5 @@ void readMed(const Request& request, ManifestWriter& manifest)
 	}
 	manifest.offerTimes(std::move(times));
 }
+
+} // namespace vp::reader::meshes

@@ -22,6 +22,9 @@
 #include <algorithm>
 #include <cctype>
 
+namespace vp::reader::meshes
+{
+
 namespace
 {
 
@@ -102,9 +105,9 @@ vtkSmartPointer<vtkPointSet> dataOf(const TecplotZone& zone)
 	const auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
 	if (zone.faces)
 	{
-		GrownCells cells;
-		addCellsByFaces(cells,
-		                {zone.faces->starts, zone.faces->corners, zone.faces->left, zone.faces->right, zone.elements});
+		cells::GrownCells cells;
+		cells::addCellsByFaces(
+		    cells, {zone.faces->starts, zone.faces->corners, zone.faces->left, zone.faces->right, zone.elements});
 		cells.fill(grid);
 	}
 	else
@@ -112,7 +115,7 @@ vtkSmartPointer<vtkPointSet> dataOf(const TecplotZone& zone)
 	return grid;
 }
 
-void addZone(const TecplotFile& file, const TecplotZone& zone, ManifestWriter& manifest)
+void addZone(const TecplotFile& file, const TecplotZone& zone, manifest::Writer& manifest)
 {
 	if (zone.element_type == "POLYGON")
 		return manifest.warn(fmt::format("the flat polygons of {} are left out", zone.title));
@@ -150,20 +153,22 @@ void addZone(const TecplotFile& file, const TecplotZone& zone, ManifestWriter& m
 
 } // namespace
 
-void readTecplot(const Request& request, ManifestWriter& manifest)
+void readTecplot(const Request& request, manifest::Writer& manifest)
 {
 	const MappedText text(request.file);
 	const TecplotFile file = parseTecplot(text.text());
-	if (endsInsideALine(request.file))
-		manifest.warn(kCutTextWarning);
+	if (text::endsInsideALine(request.file))
+		manifest.warn(text::kCutTextWarning);
 	std::vector<double> times;
 	for (const TecplotZone& zone : file.zones)
 		if (zone.time)
 			times.push_back(*zone.time);
-	times = inOrder(std::move(times));
-	const std::optional<double> time = chooseIfAny(times, request);
+	times = manifest::inOrder(std::move(times));
+	const std::optional<double> time = manifest::chooseIfAny(times, request);
 	for (const TecplotZone& zone : file.zones)
 		if (!zone.time || zone.time == time)
 			addZone(file, zone, manifest);
 	manifest.offerTimes(std::move(times));
 }
+
+} // namespace vp::reader::meshes

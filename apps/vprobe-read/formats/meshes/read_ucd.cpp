@@ -24,12 +24,15 @@
 #include <limits>
 #include <unordered_map>
 
+namespace vp::reader::meshes
+{
+
 namespace
 {
 
 using Ids = std::unordered_map<std::int64_t, vtkIdType>;
 
-void readCells(TextCursor& at, std::size_t count, const Ids& points, vtkUnstructuredGrid* grid, Ids& cells)
+void readCells(text::Cursor& at, std::size_t count, const Ids& points, vtkUnstructuredGrid* grid, Ids& cells)
 {
 	vtkNew<vtkIntArray> material;
 	material->SetName("material");
@@ -58,8 +61,8 @@ void readCells(TextCursor& at, std::size_t count, const Ids& points, vtkUnstruct
 
 // How many arrays of how many components, a line with name and units for each, then a line of values for each point or
 // cell.
-void readArrays(TextCursor& at, const Ids& ids, vtkDataSetAttributes* fields, const char* association,
-                ManifestWriter& manifest)
+void readArrays(text::Cursor& at, const Ids& ids, vtkDataSetAttributes* fields, const char* association,
+                manifest::Writer& manifest)
 {
 	std::vector<vtkSmartPointer<vtkDoubleArray>> arrays(at.count(2));
 	for (auto& array : arrays)
@@ -98,15 +101,15 @@ void readArrays(TextCursor& at, const Ids& ids, vtkDataSetAttributes* fields, co
 				array->SetComponent(found->second, c, at.real());
 	}
 	for (const auto& array : arrays)
-		addUnderOwnName(fields, array, association, manifest);
+		manifest::addUnderOwnName(fields, array, association, manifest);
 }
 
 } // namespace
 
-void readUcd(const Request& request, ManifestWriter& manifest)
+void readUcd(const Request& request, manifest::Writer& manifest)
 {
 	const MappedText file(request.file);
-	TextCursor at(file.text());
+	text::Cursor at(file.text());
 	while (at.peekLine().starts_with('#'))
 		at.line();
 	const std::size_t nodes = at.count(7);
@@ -136,7 +139,9 @@ void readUcd(const Request& request, ManifestWriter& manifest)
 		readArrays(at, cell_ids, grid->GetCellData(), "cell", manifest);
 	if (model_values == 0 && !at.atEnd())
 		throw damaged(fmt::format("\"{}\" stands behind all that it announces", at.word().substr(0, 40)));
-	if (endsInsideALine(request.file))
-		manifest.warn(kCutTextWarning);
+	if (text::endsInsideALine(request.file))
+		manifest.warn(text::kCutTextWarning);
 	manifest.add(grid);
 }
+
+} // namespace vp::reader::meshes

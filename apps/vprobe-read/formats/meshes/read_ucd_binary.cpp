@@ -21,6 +21,9 @@
 
 #include <vector>
 
+namespace vp::reader::meshes
+{
+
 namespace
 {
 
@@ -39,9 +42,9 @@ struct UcdCounts
 	}
 };
 
-UcdCounts readUcdCounts(TextCursor& at, bool swaps)
+UcdCounts readUcdCounts(text::Cursor& at, ByteOrder order)
 {
-	at.setSwaps(swaps);
+	at.setOrder(order);
 	at.moveTo(1); // behind the 7 that says binary
 	UcdCounts counts;
 	for (std::uint32_t* count : {&counts.nodes, &counts.cells, &counts.node_values, &counts.cell_values,
@@ -50,7 +53,7 @@ UcdCounts readUcdCounts(TextCursor& at, bool swaps)
 	return counts;
 }
 
-void readBinaryUcdCells(TextCursor& at, const UcdCounts& counts, vtkUnstructuredGrid* grid)
+void readBinaryUcdCells(text::Cursor& at, const UcdCounts& counts, vtkUnstructuredGrid* grid)
 {
 	struct Head
 	{
@@ -95,7 +98,7 @@ void readBinaryUcdCells(TextCursor& at, const UcdCounts& counts, vtkUnstructured
 }
 
 // All of x, then of y and z.
-void readBinaryUcdPoints(TextCursor& at, const UcdCounts& counts, vtkUnstructuredGrid* grid)
+void readBinaryUcdPoints(text::Cursor& at, const UcdCounts& counts, vtkUnstructuredGrid* grid)
 {
 	vtkNew<vtkFloatArray> places;
 	places->SetNumberOfComponents(3);
@@ -109,7 +112,7 @@ void readBinaryUcdPoints(TextCursor& at, const UcdCounts& counts, vtkUnstructure
 }
 
 // Names or units, each ended by a period.
-std::vector<std::string> readUcdNames(TextCursor& at)
+std::vector<std::string> readUcdNames(text::Cursor& at)
 {
 	std::string text;
 	for (std::size_t i = 0; i < kUcdNameBytes; ++i)
@@ -121,8 +124,8 @@ std::vector<std::string> readUcdNames(TextCursor& at)
 	return names;
 }
 
-void readBinaryUcdArrays(TextCursor& at, std::uint32_t values, vtkIdType tuples, vtkDataSetAttributes* fields,
-                         const char* association, ManifestWriter& manifest)
+void readBinaryUcdArrays(text::Cursor& at, std::uint32_t values, vtkIdType tuples, vtkDataSetAttributes* fields,
+                         const char* association, manifest::Writer& manifest)
 {
 	const std::vector<std::string> names = readUcdNames(at);
 	const std::vector<std::string> units = readUcdNames(at);
@@ -147,7 +150,7 @@ void readBinaryUcdArrays(TextCursor& at, std::uint32_t values, vtkIdType tuples,
 		array->SetNumberOfTuples(tuples);
 		for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
 			array->SetValue(i, at.binary<float>());
-		addUnderOwnName(fields, array, association, manifest);
+		manifest::addUnderOwnName(fields, array, association, manifest);
 	}
 	if (left != 0)
 		throw damaged("its arrays have fewer components than it announces");
@@ -156,14 +159,14 @@ void readBinaryUcdArrays(TextCursor& at, std::uint32_t values, vtkIdType tuples,
 
 } // namespace
 
-void readUcdBinary(const Request& request, ManifestWriter& manifest)
+void readUcdBinary(const Request& request, manifest::Writer& manifest)
 {
 	const MappedText file(request.file);
-	TextCursor at(file.text());
+	text::Cursor at(file.text());
 	// The size tells the order of bytes, and that all is there.
-	UcdCounts counts = readUcdCounts(at, true);
+	UcdCounts counts = readUcdCounts(at, ByteOrder::big);
 	if (counts.bytes() != file.text().size())
-		counts = readUcdCounts(at, false);
+		counts = readUcdCounts(at, ByteOrder::little);
 	if (counts.bytes() != file.text().size())
 		throw damaged(fmt::format("{} bytes where its header asks for {}", file.text().size(), counts.bytes()));
 	vtkNew<vtkUnstructuredGrid> grid;
@@ -175,3 +178,5 @@ void readUcdBinary(const Request& request, ManifestWriter& manifest)
 		readBinaryUcdArrays(at, counts.cell_values, counts.cells, grid->GetCellData(), "cell", manifest);
 	manifest.add(grid);
 }
+
+} // namespace vp::reader::meshes

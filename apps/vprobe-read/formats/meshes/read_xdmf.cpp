@@ -25,6 +25,9 @@
 #include <cmath>
 #include <map>
 
+namespace vp::reader::meshes
+{
+
 namespace
 {
 
@@ -35,7 +38,7 @@ std::string small(std::string_view text)
 	return words;
 }
 
-std::string typeOf(const XmlElement& element, std::string_view key)
+std::string typeOf(const text::XmlElement& element, std::string_view key)
 {
 	const std::string_view type = element.attribute(key);
 	return small(type.empty() ? element.attribute("Type") : type);
@@ -44,37 +47,37 @@ std::string typeOf(const XmlElement& element, std::string_view key)
 class Grids
 {
 public:
-	Grids(const XdmfDocument& document, const Request& request, ManifestWriter& manifest)
+	Grids(const XdmfDocument& document, const Request& request, manifest::Writer& manifest)
 	    : document_(document), request_(request), manifest_(manifest)
 	{
 	}
 
 	void add()
 	{
-		const XmlElement* domain = document_.child(document_.root(), "Domain");
+		const text::XmlElement* domain = document_.child(document_.root(), "Domain");
 		if (!domain)
 			throw damaged("it has no Domain");
 		std::vector<std::vector<double>> lists;
 		collectTimes(*domain, lists);
-		std::vector<double> times = unitedTimes(lists);
-		time_ = chooseInLists(times, request_);
+		std::vector<double> times = manifest::unitedTimes(lists);
+		time_ = manifest::chooseInLists(times, request_);
 		addChildren(*domain, "");
 		manifest_.offerTimes(std::move(times));
 	}
 
 private:
-	static bool isTemporal(const XmlElement& grid)
+	static bool isTemporal(const text::XmlElement& grid)
 	{
 		return typeOf(grid, "GridType") == "collection" && small(grid.attribute("CollectionType")) == "temporal";
 	}
 
 	// Of the grids of a temporal collection, one by one.
-	std::vector<double> timesOf(const XmlElement& collection) const
+	std::vector<double> timesOf(const text::XmlElement& collection) const
 	{
-		const std::vector<const XmlElement*> grids = document_.children(collection, "Grid");
+		const std::vector<const text::XmlElement*> grids = document_.children(collection, "Grid");
 		std::vector<double> times;
-		const XmlElement* all = document_.child(collection, "Time");
-		const XmlElement* item = all ? document_.child(*all, "DataItem") : nullptr;
+		const text::XmlElement* all = document_.child(collection, "Time");
+		const text::XmlElement* item = all ? document_.child(*all, "DataItem") : nullptr;
 		std::vector<double> given;
 		if (item)
 		{
@@ -90,26 +93,26 @@ private:
 		}
 		for (std::size_t i = 0; i < grids.size(); ++i)
 		{
-			const XmlElement* own = document_.child(*grids[i], "Time");
+			const text::XmlElement* own = document_.child(*grids[i], "Time");
 			const auto value = own ? xdmfNumbers(own->attribute("Value")) : std::vector<double>();
 			times.push_back(!value.empty() ? value[0] : i < given.size() ? given[i] : static_cast<double>(i));
 		}
 		return times;
 	}
 
-	void collectTimes(const XmlElement& from, std::vector<std::vector<double>>& lists) const
+	void collectTimes(const text::XmlElement& from, std::vector<std::vector<double>>& lists) const
 	{
-		for (const XmlElement* grid : document_.children(from, "Grid"))
+		for (const text::XmlElement* grid : document_.children(from, "Grid"))
 			if (isTemporal(*grid))
 				lists.push_back(timesOf(*grid));
 			else
 				collectTimes(*grid, lists);
 	}
 
-	void addChildren(const XmlElement& of, const std::string& path)
+	void addChildren(const text::XmlElement& of, const std::string& path)
 	{
 		std::size_t number = 0;
-		for (const XmlElement* grid : document_.children(of, "Grid"))
+		for (const text::XmlElement* grid : document_.children(of, "Grid"))
 		{
 			std::string name(grid->attribute("Name"));
 			if (name.empty())
@@ -119,7 +122,7 @@ private:
 		}
 	}
 
-	void addGrid(const XmlElement& grid, const std::string& path)
+	void addGrid(const text::XmlElement& grid, const std::string& path)
 	{
 		if (isTemporal(grid))
 		{
@@ -135,8 +138,8 @@ private:
 		// A mesh that the grids of a series share.
 		if (document_.isTakenOver(grid) && document_.children(grid, "Attribute").empty())
 			return;
-		const XmlElement* topology = document_.child(grid, "Topology");
-		const XmlElement* geometry = document_.child(grid, "Geometry");
+		const text::XmlElement* topology = document_.child(grid, "Topology");
+		const text::XmlElement* geometry = document_.child(grid, "Geometry");
 		if (!topology || !geometry)
 		{
 			// dolfin writes a mesh once, and its values in a grid for each time.
@@ -149,7 +152,7 @@ private:
 		manifest_.add(data);
 	}
 
-	const XmlElement& itemOf(const XmlElement& element, std::size_t which) const
+	const text::XmlElement& itemOf(const text::XmlElement& element, std::size_t which) const
 	{
 		const auto items = document_.children(element, "DataItem");
 		if (which >= items.size())
@@ -158,7 +161,7 @@ private:
 	}
 
 	// Points of a lattice, x first.
-	static std::array<int, 3> lattice(const XmlElement& topology)
+	static std::array<int, 3> lattice(const text::XmlElement& topology)
 	{
 		const std::vector<double> sides = xdmfNumbers(
 		    topology.has("Dimensions") ? topology.attribute("Dimensions") : topology.attribute("NumberOfElements"));
@@ -174,7 +177,7 @@ private:
 		return points;
 	}
 
-	vtkSmartPointer<vtkDataSet> meshOf(const XmlElement& topology, const XmlElement& geometry) const
+	vtkSmartPointer<vtkDataSet> meshOf(const text::XmlElement& topology, const text::XmlElement& geometry) const
 	{
 		const std::string type = typeOf(topology, "TopologyType");
 		if (type == "3dcorectmesh")
@@ -193,7 +196,7 @@ private:
 		return unstructured(topology, geometry, type);
 	}
 
-	vtkSmartPointer<vtkDataSet> image(const XmlElement& topology, const XmlElement& geometry) const
+	vtkSmartPointer<vtkDataSet> image(const text::XmlElement& topology, const text::XmlElement& geometry) const
 	{
 		const XdmfValues origin = document_.values(itemOf(geometry, 0));
 		const XdmfValues step = document_.values(itemOf(geometry, 1));
@@ -207,7 +210,7 @@ private:
 		return grid;
 	}
 
-	vtkSmartPointer<vtkDataSet> rectilinear(const XmlElement& topology, const XmlElement& geometry) const
+	vtkSmartPointer<vtkDataSet> rectilinear(const text::XmlElement& topology, const text::XmlElement& geometry) const
 	{
 		const auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
 		grid->SetDimensions(lattice(topology).data());
@@ -217,7 +220,7 @@ private:
 		return grid;
 	}
 
-	vtkSmartPointer<vtkPoints> points(const XmlElement& geometry) const
+	vtkSmartPointer<vtkPoints> points(const text::XmlElement& geometry) const
 	{
 		const std::string type = typeOf(geometry, "GeometryType");
 		const auto places = vtkSmartPointer<vtkPoints>::New();
@@ -254,7 +257,7 @@ private:
 		return places;
 	}
 
-	vtkSmartPointer<vtkDataSet> unstructured(const XmlElement& topology, const XmlElement& geometry,
+	vtkSmartPointer<vtkDataSet> unstructured(const text::XmlElement& topology, const text::XmlElement& geometry,
 	                                         const std::string& type) const
 	{
 		const auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
@@ -273,7 +276,7 @@ private:
 	}
 
 	// Values of a lattice with straight axes may stay in their file.
-	vtkSmartPointer<vtkDataArray> storedValues(const XmlElement& item, vtkDataSet* data, bool at_points,
+	vtkSmartPointer<vtkDataArray> storedValues(const text::XmlElement& item, vtkDataSet* data, bool at_points,
 	                                           const std::string& name) const
 	{
 		std::array<int, 3> points;
@@ -289,9 +292,9 @@ private:
 		return document_.storedValues(item, items, name, request_);
 	}
 
-	void addAttributes(const XmlElement& grid, vtkDataSet* data) const
+	void addAttributes(const text::XmlElement& grid, vtkDataSet* data) const
 	{
-		for (const XmlElement* attribute : document_.children(grid, "Attribute"))
+		for (const text::XmlElement* attribute : document_.children(grid, "Attribute"))
 		{
 			const std::string center = small(attribute->attribute("Center"));
 			const bool at_points = center.empty() || center == "node";
@@ -304,8 +307,8 @@ private:
 			vtkFieldData* arrays = data->GetPointData();
 			if (!at_points)
 				arrays = data->GetCellData();
-			const std::string name = ownName(arrays, given.empty() ? "array" : given, manifest_);
-			const XmlElement& item = itemOf(*attribute, 0);
+			const std::string name = manifest::ownName(arrays, given.empty() ? "array" : given, manifest_);
+			const text::XmlElement& item = itemOf(*attribute, 0);
 			if (const auto stored = storedValues(item, data, at_points, name))
 			{
 				arrays->AddArray(stored);
@@ -331,15 +334,17 @@ private:
 
 	const XdmfDocument& document_;
 	const Request& request_;
-	ManifestWriter& manifest_;
-	std::optional<TimeInList> time_;
+	manifest::Writer& manifest_;
+	std::optional<manifest::TimeInList> time_;
 };
 
 } // namespace
 
-void readXdmf(const Request& request, ManifestWriter& manifest)
+void readXdmf(const Request& request, manifest::Writer& manifest)
 {
 	const MappedText file(request.file);
 	const XdmfDocument document(request.file, file.text());
 	Grids(document, request, manifest).add();
 }
+
+} // namespace vp::reader::meshes

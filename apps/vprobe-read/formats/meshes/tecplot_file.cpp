@@ -12,6 +12,9 @@
 #include <limits>
 #include <map>
 
+namespace vp::reader::meshes
+{
+
 namespace
 {
 
@@ -290,3 +293,5 @@ TecplotFile parseTecplot(std::string_view text)
 {
 	return TecplotParser(text).parse();
 }
+
+} // namespace vp::reader::meshes

@@ -9,6 +9,9 @@
 #include <string_view>
 #include <vector>
 
+namespace vp::reader::meshes
+{
+
 // The faces of a zone of polyhedra, from 0. A face's normal points from its left element to its right one.
 struct TecplotFaces
 {
@@ -43,3 +46,5 @@ int tecplotCorners(const std::string& element_type);
 
 // Throws a Refusal for what is damaged or not read.
 TecplotFile parseTecplot(std::string_view text);
+
+} // namespace vp::reader::meshes

@@ -9,6 +9,9 @@
 #include <algorithm>
 #include <cctype>
 
+namespace vp::reader::meshes
+{
+
 namespace
 {
 
@@ -44,7 +47,7 @@ bool TecplotLexer::isNumber()
 	std::string_view word = ahead.bareWord();
 	if (const auto star = word.find('*'); star != word.npos)
 		word.remove_prefix(star + 1);
-	return vp::parseReal(word) && !ahead.isNext('=');
+	return parseReal(word) && !ahead.isNext('=');
 }
 
 bool TecplotLexer::isString()
@@ -123,12 +126,12 @@ std::string_view TecplotLexer::list()
 
 std::int64_t TecplotLexer::integer()
 {
-	return TextCursor(bareWord()).integer();
+	return text::Cursor(bareWord()).integer();
 }
 
 double TecplotLexer::real()
 {
-	return TextCursor(bareWord()).real();
+	return text::Cursor(bareWord()).real();
 }
 
 double TecplotLexer::value()
@@ -141,10 +144,12 @@ double TecplotLexer::value()
 	const std::string_view word = bareWord();
 	const auto star = word.find('*');
 	if (star == word.npos)
-		return TextCursor(word).real();
-	repeats_ = TextCursor(word.substr(0, star)).integer() - 1;
-	repeated_ = TextCursor(word.substr(star + 1)).real();
+		return text::Cursor(word).real();
+	repeats_ = text::Cursor(word.substr(0, star)).integer() - 1;
+	repeated_ = text::Cursor(word.substr(star + 1)).real();
 	if (repeats_ < 0 || repeats_ > kMaxCount)
 		throw damaged(fmt::format("\"{}\" repeats a value impossibly often", word.substr(0, 20)));
 	return repeated_;
 }
+
+} // namespace vp::reader::meshes

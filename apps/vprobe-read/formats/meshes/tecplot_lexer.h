@@ -4,6 +4,9 @@
 #include <string>
 #include <string_view>
 
+namespace vp::reader::meshes
+{
+
 // Walks through a Tecplot text file: words, strings, numbers, and signs. Blanks, commas and comments stand between.
 class TecplotLexer
 {
@@ -42,3 +45,5 @@ private:
 	std::int64_t repeats_ = 0;
 	double repeated_ = 0.0;
 };
+
+} // namespace vp::reader::meshes

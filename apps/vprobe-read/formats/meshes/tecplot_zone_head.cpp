@@ -11,6 +11,9 @@
 #include <cmath>
 #include <limits>
 
+namespace vp::reader::meshes
+{
+
 namespace
 {
 
@@ -28,16 +31,16 @@ std::vector<std::size_t> numbersInSet(std::string_view list, std::size_t end)
 	std::string words(list);
 	std::replace_if(
 	    words.begin(), words.end(), [](char c) { return c == '[' || c == ']' || c == ','; }, ' ');
-	TextCursor at(words);
+	text::Cursor at(words);
 	while (!at.atEnd())
 	{
 		const std::string_view word = at.word();
 		const auto dash = word.find('-');
 		const auto colon = std::min(word.find(':'), word.size());
-		const std::int64_t first = TextCursor(word.substr(0, std::min(dash, colon))).integer();
+		const std::int64_t first = text::Cursor(word.substr(0, std::min(dash, colon))).integer();
 		const std::int64_t last =
-		    dash == word.npos ? first : TextCursor(word.substr(dash + 1, colon - dash - 1)).integer();
-		const std::int64_t step = colon == word.size() ? 1 : TextCursor(word.substr(colon + 1)).integer();
+		    dash == word.npos ? first : text::Cursor(word.substr(dash + 1, colon - dash - 1)).integer();
+		const std::int64_t step = colon == word.size() ? 1 : text::Cursor(word.substr(colon + 1)).integer();
 		if (first < 1 || last > static_cast<std::int64_t>(end) || step < 1)
 			throw damaged(fmt::format("\"{}\" names variables that it does not have", word.substr(0, 20)));
 		for (std::int64_t n = first; n <= last; n += std::min(step, last))
@@ -210,7 +213,7 @@ private:
 			{
 				place = inCapitals(item.name);
 				const std::size_t star = place.find('*');
-				const std::int64_t times = star == place.npos ? 1 : TextCursor(place.substr(0, star)).integer();
+				const std::int64_t times = star == place.npos ? 1 : text::Cursor(place.substr(0, star)).integer();
 				place.erase(0, star == place.npos ? 0 : star + 1);
 				if (times < 0 || times > static_cast<std::int64_t>(file_.variables.size() - next))
 					throw damaged("a zone places more variables than it has");
@@ -253,7 +256,7 @@ private:
 	std::size_t zoneNumber(std::string_view text)
 	{
 		const std::size_t zones = file_.zones.size();
-		const std::int64_t number = text.empty() ? static_cast<std::int64_t>(zones) : TextCursor(text).integer();
+		const std::int64_t number = text.empty() ? static_cast<std::int64_t>(zones) : text::Cursor(text).integer();
 		if (number < 1 || number > static_cast<std::int64_t>(zones))
 			throw damaged(fmt::format("a zone shares what zone {} has, which does not come before it", number));
 		return static_cast<std::size_t>(number - 1);
@@ -315,3 +318,5 @@ TecplotZoneHead readTecplotZoneHead(TecplotLexer& at, const TecplotFile& file)
 {
 	return HeadReader(at, file).read();
 }
+
+} // namespace vp::reader::meshes

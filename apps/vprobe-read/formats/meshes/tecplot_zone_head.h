@@ -7,6 +7,9 @@
 #include <optional>
 #include <vector>
 
+namespace vp::reader::meshes
+{
+
 // How the values and elements of a zone are written.
 struct TecplotZoneHead
 {
@@ -29,3 +32,5 @@ bool isTecplotRecord(std::string_view word);
 
 // What stands behind the word ZONE, up to the values. `file` has the zones before it.
 TecplotZoneHead readTecplotZoneHead(TecplotLexer& at, const TecplotFile& file);
+
+} // namespace vp::reader::meshes

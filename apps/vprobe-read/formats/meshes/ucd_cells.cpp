@@ -2,6 +2,9 @@
 
 #include <vtkCellType.h>
 
+namespace vp::reader::meshes
+{
+
 std::span<const UcdCell> ucdCells()
 {
 	static constexpr UcdCell cells[] = {{"pt", VTK_VERTEX, 1},   {"line", VTK_LINE, 2},     {"tri", VTK_TRIANGLE, 3},
@@ -20,3 +23,5 @@ void turnUcdCell(int type, std::array<vtkIdType, 8>& corners)
 	else if (type == VTK_HEXAHEDRON)
 		corners = {c[4], c[5], c[6], c[7], c[0], c[1], c[2], c[3]};
 }
+
+} // namespace vp::reader::meshes

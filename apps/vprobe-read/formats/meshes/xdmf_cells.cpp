@@ -12,6 +12,9 @@
 
 #include <algorithm>
 
+namespace vp::reader::meshes
+{
+
 namespace
 {
 
@@ -83,7 +86,7 @@ void insertXdmfPolyhedron(Next& next, Run& run, vtkIdType first, vtkUnstructured
 } // namespace
 
 void insertXdmfCells(const std::vector<vtkIdType>& stream, vtkIdType first, const std::string& type,
-                     const XmlElement& topology, vtkUnstructuredGrid* grid)
+                     const text::XmlElement& topology, vtkUnstructuredGrid* grid)
 {
 	const auto cell = std::ranges::find(kXdmfCells, type, &XdmfCell::name);
 	if (cell == std::end(kXdmfCells))
@@ -127,3 +130,5 @@ void insertMixedXdmfCells(const std::vector<vtkIdType>& stream, vtkIdType first,
 		insertXdmfCell(grid, cell->type, run(corners), corners, first);
 	}
 }
+
+} // namespace vp::reader::meshes

@@ -19,7 +19,10 @@
 
 #include <hdf5.h>
 
-using vp::grid::NumberType;
+namespace vp::reader::meshes
+{
+
+using grid::NumberType;
 
 namespace
 {
@@ -66,10 +69,10 @@ NumberType typeOf(std::string_view number, std::string_view precision)
 	throw Refusal(fmt::format("values of type {}, which are not read", number.substr(0, 20)));
 }
 
-ValueLayout flat(std::uint64_t count, NumberType type)
+arrays::ValueLayout flat(std::uint64_t count, NumberType type)
 {
 	// The layout's sides have 32 bits.
-	ValueLayout layout;
+	arrays::ValueLayout layout;
 	layout.type = type;
 	layout.components = 1;
 	layout.points = {static_cast<std::uint32_t>(count), 1, 1};
@@ -82,11 +85,11 @@ ValueLayout flat(std::uint64_t count, NumberType type)
 std::string hdf5Bytes(const std::string& file, const std::string& path, std::uint64_t count, NumberType type)
 {
 	const std::string about = fmt::format("{}:{}", fs::path(file).filename().string(), path);
-	const Hdf5Handle opened(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+	const hdf5::Handle opened(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
 	if (opened < 0)
 		throw Refusal(fmt::format("its data {} cannot be opened; keep the files together", about));
-	const Hdf5Handle set = openedSet(opened, path);
-	const Hdf5Handle space(set < 0 ? -1 : H5Dget_space(set), H5Sclose);
+	const hdf5::Handle set = hdf5::openedSet(opened, path);
+	const hdf5::Handle space(set < 0 ? -1 : H5Dget_space(set), H5Sclose);
 	const hssize_t points = space < 0 ? -1 : H5Sget_simple_extent_npoints(space);
 	if (points < 0)
 		throw damaged(fmt::format("{} is missing", about));
@@ -96,10 +99,10 @@ std::string hdf5Bytes(const std::string& file, const std::string& path, std::uin
 	H5D_space_status_t written = H5D_SPACE_STATUS_ERROR;
 	if (H5Dget_space_status(set, &written) < 0 || (written == H5D_SPACE_STATUS_NOT_ALLOCATED && count > 0))
 		throw damaged(fmt::format("{} was never written", about));
-	refuseMissingParts(set, about);
+	hdf5::refuseMissingParts(set, about);
 	std::string bytes(count * byteSize(type), '\0');
-	if (H5Dread(set, nativeType(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) < 0)
-		throw unreadSet(set, about);
+	if (H5Dread(set, hdf5::nativeType(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) < 0)
+		throw hdf5::unreadSet(set, about);
 	return bytes;
 }
 
@@ -115,7 +118,7 @@ std::vector<double> xdmfNumbers(std::string_view text)
 	std::string words(text);
 	std::replace(words.begin(), words.end(), ',', ' ');
 	std::vector<double> numbers;
-	for (TextCursor at(words); !at.atEnd();)
+	for (text::Cursor at(words); !at.atEnd();)
 		numbers.push_back(at.real());
 	return numbers;
 }
@@ -125,14 +128,14 @@ XdmfDocument::XdmfDocument(std::string file, std::string_view text) : file_(std:
 	H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 	H5PLset_loading_state(0); // a file does not choose code to load
 	// The usual document type names a file that nobody has.
-	std::optional<XmlFile> xml = parseXml(text, DocumentType::internal);
+	std::optional<text::XmlFile> xml = text::parseXml(text, text::DocumentType::internal);
 	if (!xml || xml->root.name != "Xdmf")
 		throw damaged("its XML cannot be parsed");
 	xml_ = std::move(*xml);
 	collectTakenOver(xml_.root);
 }
 
-std::string_view XdmfDocument::contents(const XmlElement& element) const
+std::string_view XdmfDocument::contents(const text::XmlElement& element) const
 {
 	if (element.is_from_entity)
 		return trimmed(element.text);
@@ -142,7 +145,7 @@ std::string_view XdmfDocument::contents(const XmlElement& element) const
 	if (given.find('&') == given.npos)
 		return trimmed(given);
 	// Of long ones, the parser keeps the text only in a file with a document type.
-	if (given.size() > kMaxShortText && element.text.empty())
+	if (given.size() > text::kMaxShortText && element.text.empty())
 		throw Refusal("a DataItem with an entity in more than 4096 letters");
 	return trimmed(element.text);
 }
@@ -169,9 +172,9 @@ struct XdmfDocument::Item
 	}
 };
 
-XdmfDocument::Item XdmfDocument::itemOf(const XmlElement& given) const
+XdmfDocument::Item XdmfDocument::itemOf(const text::XmlElement& given) const
 {
-	const XmlElement& element = resolved(given);
+	const text::XmlElement& element = resolved(given);
 	if (const auto kind = element.attribute("ItemType"); !kind.empty() && kind != "Uniform")
 		throw Refusal(fmt::format("a DataItem of type {}, which is not read", kind.substr(0, 20)));
 	Item item;
@@ -199,35 +202,35 @@ std::string XdmfDocument::pathOf(std::string_view name) const
 	return (fs::path(file_).parent_path() / std::string(name)).string();
 }
 
-XdmfValues XdmfDocument::values(const XmlElement& element) const
+XdmfValues XdmfDocument::values(const text::XmlElement& element) const
 {
 	const Item item = itemOf(element);
 	XdmfValues values;
 	values.sides = item.sides;
-	const ValueLayout layout = flat(item.count, item.type);
+	const arrays::ValueLayout layout = flat(item.count, item.type);
 	if (item.format == "HDF")
 	{
 		const auto [file, set] = item.fileAndSet();
-		values.array = arrayOf(hdf5Bytes(pathOf(file), set, item.count, item.type), layout, "");
+		values.array = arrays::arrayOf(hdf5Bytes(pathOf(file), set, item.count, item.type), layout, "");
 	}
 	else if (item.format == "Binary")
 	{
 		const MappedText file(pathOf(item.text));
 		if (item.seek > file.text().size() || file.text().size() - item.seek < layout.byteCount())
 			throw damaged(fmt::format("{} ends before its values do", item.text.substr(0, 80)));
-		ValueLayout ordered = layout;
+		arrays::ValueLayout ordered = layout;
 		ordered.is_big_endian = item.is_big_endian;
-		values.array = arrayOf(file.text().substr(item.seek, layout.byteCount()), ordered, "");
+		values.array = arrays::arrayOf(file.text().substr(item.seek, layout.byteCount()), ordered, "");
 	}
 	else
 	{
 		// In text, so the type is that which holds them all.
 		const bool whole = isOneOf(item.number_type, {"Int", "UInt", "Char", "UChar"});
-		const ValueLayout own = flat(item.count, whole ? NumberType::int64 : NumberType::float64);
+		const arrays::ValueLayout own = flat(item.count, whole ? NumberType::int64 : NumberType::float64);
 		if (item.count > item.text.size() / 2 + 1) // a digit and a blank each
 			throw damaged("a DataItem of fewer values than its Dimensions say");
 		std::string bytes(own.byteCount(), '\0');
-		TextCursor at(item.text);
+		text::Cursor at(item.text);
 		for (std::uint64_t i = 0; i < item.count; ++i)
 		{
 			const std::int64_t integer = whole ? at.integer() : 0;
@@ -236,17 +239,17 @@ XdmfValues XdmfDocument::values(const XmlElement& element) const
 		}
 		if (!at.atEnd())
 			throw damaged("a DataItem of more values than its Dimensions say");
-		values.array = arrayOf(bytes, own, "");
+		values.array = arrays::arrayOf(bytes, own, "");
 	}
 	return values;
 }
 
-vtkSmartPointer<vtkDataArray> XdmfDocument::storedValues(const XmlElement& element,
+vtkSmartPointer<vtkDataArray> XdmfDocument::storedValues(const text::XmlElement& element,
                                                          const std::array<std::uint32_t, 3>& points,
                                                          const std::string& name, const Request& request) const
 {
 	const Item item = itemOf(element);
-	ValueLayout layout{points, 1, item.type, item.is_big_endian};
+	arrays::ValueLayout layout{points, 1, item.type, item.is_big_endian};
 	const std::uint64_t tuples = layout.valueCount();
 	const std::uint64_t components = tuples == 0 ? 0 : item.count / tuples;
 	if (components < 1 || components > kMaxComponents || components * tuples != item.count)
@@ -254,20 +257,22 @@ vtkSmartPointer<vtkDataArray> XdmfDocument::storedValues(const XmlElement& eleme
 	layout.components = static_cast<std::uint32_t>(components);
 	if (!request.leaves(layout.byteCount()))
 		return nullptr;
-	std::optional<StoredPlace> place;
+	std::optional<arrays::StoredPlace> place;
 	if (item.format == "HDF")
 	{
 		const auto [file, set] = item.fileAndSet();
-		const Hdf5Handle opened(H5Fopen(pathOf(file).c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+		const hdf5::Handle opened(H5Fopen(pathOf(file).c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
 		if (opened >= 0)
-			place = storedPlaceOf(opened, pathOf(file), set, layout, {});
+			place = hdf5::storedPlaceOf(opened, pathOf(file), set, layout, {});
 	}
 	else if (item.format == "Binary")
 	{
 		std::error_code error;
 		const std::uint64_t size = fs::file_size(pathOf(item.text), error);
 		if (!error && item.seek <= size && layout.byteCount() <= size - item.seek)
-			place = storedRows(pathOf(item.text), item.seek, layout);
+			place = arrays::storedRows(pathOf(item.text), item.seek, layout);
 	}
-	return place ? storedArray(layout, name, std::move(*place)) : nullptr;
+	return place ? arrays::storedArray(layout, name, std::move(*place)) : nullptr;
 }
+
+} // namespace vp::reader::meshes

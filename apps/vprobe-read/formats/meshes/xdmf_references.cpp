@@ -7,13 +7,16 @@
 #include <algorithm>
 #include <cstdlib>
 
+namespace vp::reader::meshes
+{
+
 namespace
 {
 
 constexpr int kMaxReferences = 8;
 
 // "Name[3]" or "Name[@Name="x"]" of a path.
-bool suits(const XmlElement& element, std::string_view step, int& skip)
+bool suits(const text::XmlElement& element, std::string_view step, int& skip)
 {
 	const auto bracket = step.find('[');
 	if (element.name != step.substr(0, bracket))
@@ -28,18 +31,18 @@ bool suits(const XmlElement& element, std::string_view step, int& skip)
 }
 
 // Writers choose the prefix of the namespace.
-bool isInclude(const XmlElement& element)
+bool isInclude(const text::XmlElement& element)
 {
 	return element.name == "include" || element.name.ends_with(":include");
 }
 
-const XmlElement* gridNamed(const XmlElement& from, std::string_view name)
+const text::XmlElement* gridNamed(const text::XmlElement& from, std::string_view name)
 {
-	for (const XmlElement& child : from.children)
+	for (const text::XmlElement& child : from.children)
 	{
 		if (child.name == "Grid" && child.attribute("Name") == name)
 			return &child;
-		if (const XmlElement* found = gridNamed(child, name))
+		if (const text::XmlElement* found = gridNamed(child, name))
 			return found;
 	}
 	return nullptr;
@@ -47,9 +50,9 @@ const XmlElement* gridNamed(const XmlElement& from, std::string_view name)
 
 } // namespace
 
-const XmlElement* XdmfDocument::atPath(std::string_view path) const
+const text::XmlElement* XdmfDocument::atPath(std::string_view path) const
 {
-	const XmlElement* at = nullptr;
+	const text::XmlElement* at = nullptr;
 	while (!path.empty())
 	{
 		path.remove_prefix(1); // the slash
@@ -69,7 +72,7 @@ const XmlElement* XdmfDocument::atPath(std::string_view path) const
 			continue;
 		}
 		const auto found =
-		    std::ranges::find_if(at->children, [&](const XmlElement& e) { return suits(e, step, skip); });
+		    std::ranges::find_if(at->children, [&](const text::XmlElement& e) { return suits(e, step, skip); });
 		if (found == at->children.end())
 			return nullptr;
 		at = &*found;
@@ -77,16 +80,16 @@ const XmlElement* XdmfDocument::atPath(std::string_view path) const
 	return at;
 }
 
-const XmlElement& XdmfDocument::resolved(const XmlElement& element) const
+const text::XmlElement& XdmfDocument::resolved(const text::XmlElement& element) const
 {
-	const XmlElement* at = &element;
+	const text::XmlElement* at = &element;
 	for (int i = 0; i < kMaxReferences; ++i)
 	{
 		const std::string_view reference = at->attribute("Reference");
 		if (reference.empty())
 			return *at;
 		const std::string_view path = reference == "XML" ? contents(*at) : reference;
-		const XmlElement* next = path.starts_with('/') ? atPath(path) : nullptr;
+		const text::XmlElement* next = path.starts_with('/') ? atPath(path) : nullptr;
 		if (!next)
 			throw Refusal(fmt::format("the reference {} leads nowhere", path.substr(0, 80)));
 		at = next;
@@ -95,7 +98,7 @@ const XmlElement& XdmfDocument::resolved(const XmlElement& element) const
 }
 
 // As dolfin and meshio write: xpointer(//Grid[@Name="mesh"]/Grid[1]/*[self::Topology or self::Geometry]).
-const XmlElement* XdmfDocument::includedGrid(const XmlElement& include) const
+const text::XmlElement* XdmfDocument::includedGrid(const text::XmlElement& include) const
 {
 	const std::string_view pointer = include.attribute("xpointer");
 	constexpr std::string_view start = "//Grid[@Name=";
@@ -104,45 +107,47 @@ const XmlElement* XdmfDocument::includedGrid(const XmlElement& include) const
 	const auto end = quote >= pointer.size() ? pointer.npos : pointer.find(pointer[quote], quote + 1);
 	if (end == pointer.npos)
 		throw Refusal(fmt::format("the reference {} is not understood", pointer.substr(0, 80)));
-	const XmlElement* grid = gridNamed(xml_.root, pointer.substr(quote + 1, end - quote - 1));
+	const text::XmlElement* grid = gridNamed(xml_.root, pointer.substr(quote + 1, end - quote - 1));
 	if (const auto inner = pointer.find("]/Grid", end); grid && inner != pointer.npos)
 		grid = child(*grid, "Grid");
 	return grid;
 }
 
-void XdmfDocument::collectTakenOver(const XmlElement& from)
+void XdmfDocument::collectTakenOver(const text::XmlElement& from)
 {
-	for (const XmlElement& element : from.children)
+	for (const text::XmlElement& element : from.children)
 		if (!isInclude(element))
 			collectTakenOver(element);
-		else if (const XmlElement* grid = includedGrid(element))
+		else if (const text::XmlElement* grid = includedGrid(element))
 			taken_over_.insert(grid);
 }
 
-bool XdmfDocument::isTakenOver(const XmlElement& grid) const
+bool XdmfDocument::isTakenOver(const text::XmlElement& grid) const
 {
 	return taken_over_.contains(&grid);
 }
 
-std::vector<const XmlElement*> XdmfDocument::children(const XmlElement& of, std::string_view name) const
+std::vector<const text::XmlElement*> XdmfDocument::children(const text::XmlElement& of, std::string_view name) const
 {
-	std::vector<const XmlElement*> found;
-	for (const XmlElement& element : of.children)
+	std::vector<const text::XmlElement*> found;
+	for (const text::XmlElement& element : of.children)
 	{
 		if (element.name == name)
 			found.push_back(&resolved(element));
 		else if (isInclude(element) && element.attribute("xpointer").find(name) != std::string_view::npos &&
 		         name != "Grid")
-			if (const XmlElement* grid = includedGrid(element); grid && grid != &of)
-				for (const XmlElement& taken : grid->children)
+			if (const text::XmlElement* grid = includedGrid(element); grid && grid != &of)
+				for (const text::XmlElement& taken : grid->children)
 					if (taken.name == name)
 						found.push_back(&resolved(taken));
 	}
 	return found;
 }
 
-const XmlElement* XdmfDocument::child(const XmlElement& of, std::string_view name) const
+const text::XmlElement* XdmfDocument::child(const text::XmlElement& of, std::string_view name) const
 {
 	const auto found = children(of, name);
 	return found.empty() ? nullptr : found.front();
 }
+
+} // namespace vp::reader::meshes

@@ -5,6 +5,9 @@
 
 #include <cctype>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -44,7 +47,7 @@ bool isNameOfHeight(std::string_view standard)
 
 } // namespace
 
-CfRole cfRoleOf(const NetcdfFile& file, int variable)
+CfRole cfRoleOf(const hdf5::NetcdfFile& file, int variable)
 {
 	const std::string axis = lowered(file.text(variable, "axis"));
 	if (axis.size() == 1 && std::string_view("xyzt").find(axis[0]) != std::string_view::npos)
@@ -75,13 +78,13 @@ CfRole cfRoleOfName(const std::string& given)
 	return isOneOf(name, {"t", "time", "times"}) ? CfRole::time : CfRole::none;
 }
 
-bool isLongitude(const NetcdfFile& file, int variable)
+bool isLongitude(const hdf5::NetcdfFile& file, int variable)
 {
 	return isEast(lowered(file.text(variable, "units"))) ||
 	       isOneOf(lowered(file.text(variable, "standard_name")), {"longitude", "grid_longitude"});
 }
 
-CfDimension cfDimension(const NetcdfFile& file, const std::string& name, std::size_t length)
+CfDimension cfDimension(const hdf5::NetcdfFile& file, const std::string& name, std::size_t length)
 {
 	CfDimension dimension{name, length};
 	const int variable = file.variable(name.c_str());
@@ -93,3 +96,5 @@ CfDimension cfDimension(const NetcdfFile& file, const std::string& name, std::si
 	}
 	return dimension;
 }
+
+} // namespace vp::reader::volumes

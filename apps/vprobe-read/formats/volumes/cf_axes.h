@@ -2,6 +2,9 @@
 
 #include "vprobe-read/hdf5/netcdf_file.h"
 
+namespace vp::reader::volumes
+{
+
 // What runs along a dimension, after the CF conventions, section 4.
 enum class CfRole
 {
@@ -13,11 +16,11 @@ enum class CfRole
 };
 
 // By the attributes of a coordinate variable: `axis`, `units`, `standard_name` and `positive`.
-CfRole cfRoleOf(const NetcdfFile& file, int variable);
+CfRole cfRoleOf(const hdf5::NetcdfFile& file, int variable);
 // By its name, for a dimension whose coordinates have no such attributes, or that has none.
 CfRole cfRoleOfName(const std::string& name);
 // Whether values that differ by 360 mean the same.
-bool isLongitude(const NetcdfFile& file, int variable);
+bool isLongitude(const hdf5::NetcdfFile& file, int variable);
 
 struct CfDimension
 {
@@ -27,4 +30,6 @@ struct CfDimension
 	CfRole role = CfRole::none;
 };
 
-CfDimension cfDimension(const NetcdfFile& file, const std::string& name, std::size_t length);
+CfDimension cfDimension(const hdf5::NetcdfFile& file, const std::string& name, std::size_t length);
+
+} // namespace vp::reader::volumes

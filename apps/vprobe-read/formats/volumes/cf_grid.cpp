@@ -21,6 +21,9 @@
 #include <cmath>
 #include <limits>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -37,14 +40,14 @@ int intOf(std::size_t length)
 }
 
 // Down is negative.
-void turnUp(const NetcdfFile& file, int variable, std::vector<double>& places)
+void turnUp(const hdf5::NetcdfFile& file, int variable, std::vector<double>& places)
 {
 	if (file.text(variable, "positive") == "down")
 		for (double& place : places)
 			place = 0.0 - place;
 }
 
-std::vector<double> placesAlong(const NetcdfFile& file, const CfDimension& axis)
+std::vector<double> placesAlong(const hdf5::NetcdfFile& file, const CfDimension& axis)
 {
 	std::vector<double> places;
 	if (axis.coordinate < 0)
@@ -190,13 +193,13 @@ std::vector<double> sharedCorners(const std::vector<double>& corners, std::size_
 	return points;
 }
 
-int boundsOf(const NetcdfFile& file, int variable)
+int boundsOf(const hdf5::NetcdfFile& file, int variable)
 {
 	const std::string name = file.text(variable, "bounds");
 	return name.empty() ? -1 : file.variable(name.c_str());
 }
 
-std::optional<Plane> planeOfCorners(const NetcdfFile& file, const CfVolumes& volumes, std::size_t step)
+std::optional<Plane> planeOfCorners(const hdf5::NetcdfFile& file, const CfVolumes& volumes, std::size_t step)
 {
 	const int x = boundsOf(file, volumes.x_places), y = boundsOf(file, volumes.y_places);
 	const auto isOfFour = [&](int variable)
@@ -225,7 +228,8 @@ std::optional<Plane> planeOfCorners(const NetcdfFile& file, const CfVolumes& vol
 }
 
 // Between layers, and as far beyond the outer ones; or where the file says.
-std::vector<double> bordersAlong(const NetcdfFile& file, const CfDimension& axis, const std::vector<double>& places)
+std::vector<double> bordersAlong(const hdf5::NetcdfFile& file, const CfDimension& axis,
+                                 const std::vector<double>& places)
 {
 	const std::size_t n = places.size();
 	std::vector<double> borders(n + 1);
@@ -254,7 +258,7 @@ std::vector<double> bordersAlong(const NetcdfFile& file, const CfDimension& axis
 
 } // namespace
 
-std::vector<double> cfPlane(const NetcdfFile& file, const CfVolumes& volumes, int variable, std::size_t step,
+std::vector<double> cfPlane(const hdf5::NetcdfFile& file, const CfVolumes& volumes, int variable, std::size_t step,
                             std::size_t corners)
 {
 	const auto sides = file.dimensions(variable);
@@ -284,7 +288,7 @@ std::vector<double> cfPlane(const NetcdfFile& file, const CfVolumes& volumes, in
 namespace
 {
 
-vtkSmartPointer<vtkDataSet> gridOfPlaces(const NetcdfFile& file, const CfVolumes& volumes, std::size_t step,
+vtkSmartPointer<vtkDataSet> gridOfPlaces(const hdf5::NetcdfFile& file, const CfVolumes& volumes, std::size_t step,
                                          const std::vector<double>* of_columns, bool& has_cells)
 {
 	std::vector<double> heights = of_columns ? *of_columns : placesAlong(file, volumes.axes[2]);
@@ -355,7 +359,7 @@ void multiplyAxes(vtkDataSet* data, const std::array<double, 3>& factors)
 }
 
 // Lengths of one unit along all axes.
-void takeUnits(const NetcdfFile& file, const CfVolumes& volumes, const CfHeights* heights, CfGrid& grid)
+void takeUnits(const hdf5::NetcdfFile& file, const CfVolumes& volumes, const CfHeights* heights, CfGrid& grid)
 {
 	const std::array<int, 3> variables = {volumes.x_places >= 0 ? volumes.x_places : volumes.axes[0].coordinate,
 	                                      volumes.y_places >= 0 ? volumes.y_places : volumes.axes[1].coordinate,
@@ -365,17 +369,17 @@ void takeUnits(const NetcdfFile& file, const CfVolumes& volumes, const CfHeights
 		units[axis] = variables[axis] < 0 ? "" : file.text(variables[axis], "units");
 	if (heights)
 		units[2] = heights->units;
-	const OneLengthUnit one = oneLengthUnit(units);
+	const text::OneLengthUnit one = text::oneLengthUnit(units);
 	if (one.differ && std::ranges::none_of(units, [](const std::string& unit) { return unit.empty(); }))
-		grid.notes.push_back(unitsDiffer(units));
-	if (!one.differ && metersOf(one.sign))
+		grid.notes.push_back(text::unitsDiffer(units));
+	if (!one.differ && text::metersOf(one.sign))
 		grid.length_units = one.sign;
 	multiplyAxes(grid.data, one.factors);
 }
 
 } // namespace
 
-CfGrid cfGrid(const NetcdfFile& file, const CfVolumes& volumes, std::size_t step)
+CfGrid cfGrid(const hdf5::NetcdfFile& file, const CfVolumes& volumes, std::size_t step)
 {
 	CfGrid grid;
 	const std::optional<CfHeights> heights = cfHeights(file, volumes, step);
@@ -385,3 +389,5 @@ CfGrid cfGrid(const NetcdfFile& file, const CfVolumes& volumes, std::size_t step
 		grid.notes.push_back(fmt::format("its heights by {} are not computed; z is {}", formula, volumes.axes[2].name));
 	return grid;
 }
+
+} // namespace vp::reader::volumes

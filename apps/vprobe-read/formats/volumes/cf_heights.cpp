@@ -13,6 +13,9 @@
 #include <map>
 #include <sstream>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -39,7 +42,7 @@ std::map<std::string, std::string> termsIn(const std::string& text)
 class CfTerm
 {
 public:
-	CfTerm(const NetcdfFile& file, const CfVolumes& volumes, std::size_t step, const std::string& name)
+	CfTerm(const hdf5::NetcdfFile& file, const CfVolumes& volumes, std::size_t step, const std::string& name)
 	{
 		const int variable = file.variable(name.c_str());
 		if (variable < 0)
@@ -71,7 +74,7 @@ public:
 	}
 
 private:
-	static CfSlab slabAt(const NetcdfFile& file, const CfVolumes& volumes, int variable, std::size_t step)
+	static CfSlab slabAt(const hdf5::NetcdfFile& file, const CfVolumes& volumes, int variable, std::size_t step)
 	{
 		CfSlab slab = CfSlab::of(file, variable);
 		const auto sides = file.dimensions(variable);
@@ -113,7 +116,7 @@ double heightOf(std::string_view formula, const Term& term)
 	return eta + (eta + depth) * (depth_c * s + depth * term("C")) / (depth_c + depth);
 }
 
-std::string formulaOf(const NetcdfFile& file, const CfVolumes& volumes)
+std::string formulaOf(const hdf5::NetcdfFile& file, const CfVolumes& volumes)
 {
 	const int variable = volumes.axes[2].coordinate;
 	return variable < 0 || file.text(variable, "formula_terms").empty() ? "" : file.text(variable, "standard_name");
@@ -121,7 +124,7 @@ std::string formulaOf(const NetcdfFile& file, const CfVolumes& volumes)
 
 } // namespace
 
-std::optional<CfHeights> cfHeights(const NetcdfFile& file, const CfVolumes& volumes, std::size_t step)
+std::optional<CfHeights> cfHeights(const hdf5::NetcdfFile& file, const CfVolumes& volumes, std::size_t step)
 {
 	if (auto heights = wrfHeights(file, volumes, step))
 		return CfHeights{std::move(*heights), "m"};
@@ -151,8 +154,10 @@ std::optional<CfHeights> cfHeights(const NetcdfFile& file, const CfVolumes& volu
 	return heights;
 }
 
-std::string unknownFormula(const NetcdfFile& file, const CfVolumes& volumes)
+std::string unknownFormula(const hdf5::NetcdfFile& file, const CfVolumes& volumes)
 {
 	const std::string formula = formulaOf(file, volumes);
 	return isKnownFormula(formula) ? std::string() : formula;
 }
+
+} // namespace vp::reader::volumes

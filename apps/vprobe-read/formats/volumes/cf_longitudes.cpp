@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -74,3 +77,5 @@ std::vector<bool> unwrapLongitudes(std::vector<double>& places, std::size_t widt
 		              });
 	return is_sound;
 }
+
+} // namespace vp::reader::volumes

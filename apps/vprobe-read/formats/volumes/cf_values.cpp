@@ -13,6 +13,9 @@
 #include <span>
 #include <type_traits>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -20,14 +23,14 @@ namespace
 using Real = long double;
 static_assert(std::numeric_limits<Real>::digits >= 64);
 
-std::string nameOfVariable(const NetcdfFile& file, int variable)
+std::string nameOfVariable(const hdf5::NetcdfFile& file, int variable)
 {
 	std::array<char, NC_MAX_NAME + 1> name = {};
-	NetcdfFile::check(nc_inq_varname(file.id(), variable, name.data()));
+	hdf5::NetcdfFile::check(nc_inq_varname(file.id(), variable, name.data()));
 	return name.data();
 }
 
-bool isUnsigned(const NetcdfFile& file, int variable)
+bool isUnsigned(const hdf5::NetcdfFile& file, int variable)
 {
 	return isOneOf(file.text(variable, "_Unsigned"), {"true", "True", "TRUE"});
 }
@@ -47,7 +50,7 @@ std::vector<Real> numbersInText(const std::string& text)
 	return numbers;
 }
 
-std::vector<Real> realsOf(const NetcdfFile& file, int variable, const char* attribute)
+std::vector<Real> realsOf(const hdf5::NetcdfFile& file, int variable, const char* attribute)
 {
 	const auto [type, count] = file.attributeOf(variable, attribute);
 	if (type == NC_CHAR || type == NC_STRING)
@@ -57,13 +60,13 @@ std::vector<Real> realsOf(const NetcdfFile& file, int variable, const char* attr
 	if (type == NC_INT64 && reals.size() == count)
 	{
 		std::vector<long long> wide(count);
-		NetcdfFile::check(nc_get_att_longlong(file.id(), variable, attribute, wide.data()));
+		hdf5::NetcdfFile::check(nc_get_att_longlong(file.id(), variable, attribute, wide.data()));
 		reals.assign(wide.begin(), wide.end());
 	}
 	else if (type == NC_UINT64 && reals.size() == count)
 	{
 		std::vector<unsigned long long> wide(count);
-		NetcdfFile::check(nc_get_att_ulonglong(file.id(), variable, attribute, wide.data()));
+		hdf5::NetcdfFile::check(nc_get_att_ulonglong(file.id(), variable, attribute, wide.data()));
 		reals.assign(wide.begin(), wide.end());
 	}
 	return reals;
@@ -100,7 +103,7 @@ template <class Number>
 class Missing
 {
 public:
-	Missing(const NetcdfFile& file, int variable)
+	Missing(const hdf5::NetcdfFile& file, int variable)
 	    : turns_unsigned_(std::is_unsigned_v<Number> && isUnsigned(file, variable))
 	{
 		for (const char* attribute : {"_FillValue", "missing_value"})
@@ -130,7 +133,7 @@ private:
 		return turns_unsigned_ && real < 0 ? real + std::ldexp(Real(1), std::numeric_limits<Number>::digits) : real;
 	}
 	// HDF5 and Zarr have a value for what nobody wrote; 0 is that of most programs, and mostly a value like others.
-	void takeUnwritten(const NetcdfFile& file, int variable)
+	void takeUnwritten(const hdf5::NetcdfFile& file, int variable)
 	{
 		if constexpr (std::is_unsigned_v<Number>)
 		{
@@ -147,7 +150,7 @@ private:
 		    (sizeof(Number) > 1 || fill != of_bytes))
 			marks_.push_back(fill);
 	}
-	void takeRange(const NetcdfFile& file, int variable)
+	void takeRange(const hdf5::NetcdfFile& file, int variable)
 	{
 		std::vector<Real> range = realsOf(file, variable, "valid_range");
 		const std::vector<Real> low = realsOf(file, variable, "valid_min");
@@ -185,7 +188,7 @@ struct CfPacking
 	bool is_packed = false;
 };
 
-void takeFactor(const NetcdfFile& file, int variable, const char* attribute, double& to, bool& is_packed)
+void takeFactor(const hdf5::NetcdfFile& file, int variable, const char* attribute, double& to, bool& is_packed)
 {
 	if (file.attributeOf(variable, attribute).first == NC_NAT)
 		return;
@@ -216,7 +219,7 @@ vtkSmartPointer<vtkDataArray> meantAs(std::span<const Number> stored, const Miss
 }
 
 template <class Number>
-vtkSmartPointer<vtkDataArray> meantOf(const NetcdfFile& file, int variable, vtkSmartPointer<vtkDataArray> stored)
+vtkSmartPointer<vtkDataArray> meantOf(const hdf5::NetcdfFile& file, int variable, vtkSmartPointer<vtkDataArray> stored)
 {
 	const std::span<const Number> values(static_cast<const Number*>(stored->GetVoidPointer(0)),
 	                                     static_cast<std::size_t>(stored->GetNumberOfValues()));
@@ -236,10 +239,10 @@ vtkSmartPointer<vtkDataArray> meantOf(const NetcdfFile& file, int variable, vtkS
 
 } // namespace
 
-int cfTypeOf(const NetcdfFile& file, int variable)
+int cfTypeOf(const hdf5::NetcdfFile& file, int variable)
 {
 	nc_type type = NC_NAT;
-	NetcdfFile::check(nc_inq_vartype(file.id(), variable, &type));
+	hdf5::NetcdfFile::check(nc_inq_vartype(file.id(), variable, &type));
 	const bool turned = isUnsigned(file, variable);
 	switch (type)
 	{
@@ -268,7 +271,7 @@ int cfTypeOf(const NetcdfFile& file, int variable)
 	}
 }
 
-vtkSmartPointer<vtkDataArray> cfMeant(const NetcdfFile& file, int variable, vtkSmartPointer<vtkDataArray> stored)
+vtkSmartPointer<vtkDataArray> cfMeant(const hdf5::NetcdfFile& file, int variable, vtkSmartPointer<vtkDataArray> stored)
 {
 	switch (stored->GetDataType())
 	{
@@ -297,7 +300,7 @@ vtkSmartPointer<vtkDataArray> cfMeant(const NetcdfFile& file, int variable, vtkS
 	}
 }
 
-bool cfIsPlain(const NetcdfFile& file, int variable)
+bool cfIsPlain(const hdf5::NetcdfFile& file, int variable)
 {
 	constexpr std::array kMarks = {"_FillValue", "missing_value", "valid_range", "valid_min",
 	                               "valid_max",  "scale_factor",  "add_offset"};
@@ -305,7 +308,7 @@ bool cfIsPlain(const NetcdfFile& file, int variable)
 	                                                     { return file.attributeOf(variable, mark).first == NC_NAT; });
 }
 
-CfSlab CfSlab::of(const NetcdfFile& file, int variable)
+CfSlab CfSlab::of(const hdf5::NetcdfFile& file, int variable)
 {
 	CfSlab slab;
 	for (const auto& [side, length] : file.dimensions(variable))
@@ -331,7 +334,7 @@ std::size_t CfSlab::count() const
 	return count;
 }
 
-vtkSmartPointer<vtkDataArray> cfArray(const NetcdfFile& file, int variable, const CfSlab& slab)
+vtkSmartPointer<vtkDataArray> cfArray(const hdf5::NetcdfFile& file, int variable, const CfSlab& slab)
 {
 	const int type = cfTypeOf(file, variable);
 	if (type == 0)
@@ -342,7 +345,7 @@ vtkSmartPointer<vtkDataArray> cfArray(const NetcdfFile& file, int variable, cons
 	return cfMeant(file, variable, std::move(stored));
 }
 
-std::vector<double> cfNumbers(const NetcdfFile& file, int variable, const CfSlab& slab)
+std::vector<double> cfNumbers(const hdf5::NetcdfFile& file, int variable, const CfSlab& slab)
 {
 	const vtkSmartPointer<vtkDataArray> array = cfArray(file, variable, slab);
 	std::vector<double> numbers(static_cast<std::size_t>(array->GetNumberOfTuples()));
@@ -351,7 +354,9 @@ std::vector<double> cfNumbers(const NetcdfFile& file, int variable, const CfSlab
 	return numbers;
 }
 
-std::vector<double> cfNumbers(const NetcdfFile& file, int variable)
+std::vector<double> cfNumbers(const hdf5::NetcdfFile& file, int variable)
 {
 	return cfNumbers(file, variable, CfSlab::of(file, variable));
 }
+
+} // namespace vp::reader::volumes

@@ -8,17 +8,20 @@
 
 class vtkDataArray;
 
+namespace vp::reader::volumes
+{
+
 // VTK's type for the numbers of a variable; 0 where it holds none.
-int cfTypeOf(const NetcdfFile& file, int variable);
+int cfTypeOf(const hdf5::NetcdfFile& file, int variable);
 
 // Values as they are stored in a variable, of the type above, become those that are meant: missing ones are NaN, packed
 // ones are unpacked. It stays the same array where nothing is missing or packed. After the CF conventions, sections
 // 2.5.1 and 8.1; `_Unsigned` after the NetCDF Users Guide.
-vtkSmartPointer<vtkDataArray> cfMeant(const NetcdfFile& file, int variable, vtkSmartPointer<vtkDataArray> stored);
+vtkSmartPointer<vtkDataArray> cfMeant(const hdf5::NetcdfFile& file, int variable, vtkSmartPointer<vtkDataArray> stored);
 
 // Returns true if cfMeant() changes nothing, whatever the values are: none is packed, and nothing but NaN marks missing
 // ones.
-bool cfIsPlain(const NetcdfFile& file, int variable);
+bool cfIsPlain(const hdf5::NetcdfFile& file, int variable);
 
 // A part of a variable: where it begins along each dimension, and how many values it has there.
 struct CfSlab
@@ -26,12 +29,14 @@ struct CfSlab
 	std::vector<std::size_t> starts, counts;
 
 	// All of a variable, or what it has at one index of one dimension.
-	static CfSlab of(const NetcdfFile& file, int variable);
+	static CfSlab of(const hdf5::NetcdfFile& file, int variable);
 	void fix(std::size_t dimension, std::size_t index);
 	std::size_t count() const; // throws a Refusal for more than there can be
 };
 
 // In the order of the file.
-vtkSmartPointer<vtkDataArray> cfArray(const NetcdfFile& file, int variable, const CfSlab& slab);
-std::vector<double> cfNumbers(const NetcdfFile& file, int variable, const CfSlab& slab);
-std::vector<double> cfNumbers(const NetcdfFile& file, int variable);
+vtkSmartPointer<vtkDataArray> cfArray(const hdf5::NetcdfFile& file, int variable, const CfSlab& slab);
+std::vector<double> cfNumbers(const hdf5::NetcdfFile& file, int variable, const CfSlab& slab);
+std::vector<double> cfNumbers(const hdf5::NetcdfFile& file, int variable);
+
+} // namespace vp::reader::volumes

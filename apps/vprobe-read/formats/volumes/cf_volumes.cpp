@@ -12,6 +12,9 @@
 #include <set>
 #include <sstream>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -52,7 +55,7 @@ std::vector<std::string> wordsIn(const std::string& text)
 }
 
 // What says where the cells of others lie is no array.
-std::set<std::string> boundsOfOthers(const NetcdfFile& file)
+std::set<std::string> boundsOfOthers(const hdf5::NetcdfFile& file)
 {
 	std::set<std::string> names;
 	for (const auto& [variable, name, type] : file.variables())
@@ -64,16 +67,16 @@ std::set<std::string> boundsOfOthers(const NetcdfFile& file)
 class Dimensions
 {
 public:
-	explicit Dimensions(const NetcdfFile& file) : file_(file)
+	explicit Dimensions(const hdf5::NetcdfFile& file) : file_(file)
 	{
 		int count = 0;
-		NetcdfFile::check(nc_inq_unlimdims(file.id(), &count, nullptr));
+		hdf5::NetcdfFile::check(nc_inq_unlimdims(file.id(), &count, nullptr));
 		std::vector<int> ids(static_cast<std::size_t>(count));
-		NetcdfFile::check(nc_inq_unlimdims(file.id(), &count, ids.data()));
+		hdf5::NetcdfFile::check(nc_inq_unlimdims(file.id(), &count, ids.data()));
 		for (const int id : ids)
 		{
 			std::array<char, NC_MAX_NAME + 1> name = {};
-			NetcdfFile::check(nc_inq_dimname(file.id(), id, name.data()));
+			hdf5::NetcdfFile::check(nc_inq_dimname(file.id(), id, name.data()));
 			records_.insert(name.data());
 		}
 	}
@@ -125,7 +128,7 @@ public:
 	}
 
 private:
-	const NetcdfFile& file_;
+	const hdf5::NetcdfFile& file_;
 	std::map<std::string, CfDimension> all_;
 	std::set<std::string> records_; // dimensions that grow
 };
@@ -162,7 +165,8 @@ std::array<std::size_t, 3> sidesInOrder(const Candidate& volume, Dimensions& dim
 }
 
 // Places of two dimensions: both axes that they run over become x and y.
-void takePlaces(const NetcdfFile& file, const Candidate& volume, CfVolumes& volumes, std::array<std::size_t, 3>& slots)
+void takePlaces(const hdf5::NetcdfFile& file, const Candidate& volume, CfVolumes& volumes,
+                std::array<std::size_t, 3>& slots)
 {
 	std::set<std::string> over;
 	std::vector<int> named;
@@ -203,7 +207,8 @@ void takePlaces(const NetcdfFile& file, const Candidate& volume, CfVolumes& volu
 		std::swap(slots[0], slots[1]);
 }
 
-std::vector<Candidate> candidatesOf(const NetcdfFile& file, Dimensions& dimensions, std::vector<std::string>& notes)
+std::vector<Candidate> candidatesOf(const hdf5::NetcdfFile& file, Dimensions& dimensions,
+                                    std::vector<std::string>& notes)
 {
 	const std::set<std::string> bounds = boundsOfOthers(file);
 	std::vector<Candidate> all;
@@ -278,7 +283,7 @@ std::optional<std::string> staggeredSide(const Candidate& each, const Candidate&
 
 } // namespace
 
-CfVolumes cfVolumes(const NetcdfFile& file)
+CfVolumes cfVolumes(const hdf5::NetcdfFile& file)
 {
 	CfVolumes volumes;
 	Dimensions dimensions(file);
@@ -331,3 +336,5 @@ CfVolumes cfVolumes(const NetcdfFile& file)
 		throw Refusal(fmt::format("nothing to slice: {} holds no numbers", first->name));
 	return volumes;
 }
+
+} // namespace vp::reader::volumes

@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+namespace vp::reader::volumes
+{
+
 // A variable over three axes of space.
 struct CfVolume
 {
@@ -31,4 +34,6 @@ struct CfVolumes
 };
 
 // Throws a Refusal where there are none.
-CfVolumes cfVolumes(const NetcdfFile& file);
+CfVolumes cfVolumes(const hdf5::NetcdfFile& file);
+
+} // namespace vp::reader::volumes

@@ -8,6 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -116,3 +119,5 @@ DicomPixelForm pixelFormOf(const DicomItem& root)
 	readPadding(root, form);
 	return form;
 }
+
+} // namespace vp::reader::volumes

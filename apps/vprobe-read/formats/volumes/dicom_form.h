@@ -7,6 +7,9 @@
 #include <utility>
 #include <vector>
 
+namespace vp::reader::volumes
+{
+
 class DicomItem;
 
 // How a file stores the values of its pixels.
@@ -35,3 +38,5 @@ struct DicomPixelForm
 
 // root: the data set of a file, with or without its pixels. Throws a Refusal for kinds that are not read.
 DicomPixelForm pixelFormOf(const DicomItem& root);
+
+} // namespace vp::reader::volumes

@@ -13,6 +13,9 @@
 #include <algorithm>
 #include <cmath>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -225,3 +228,5 @@ void addFramesOf(const std::string& file, const DicomItem& root, DicomFrames& al
 	else
 		addByOffsets(top, root, frames, all);
 }
+
+} // namespace vp::reader::volumes

@@ -9,6 +9,9 @@
 #include <utility>
 #include <vector>
 
+namespace vp::reader::volumes
+{
+
 class DicomItem;
 
 // What tells frames apart that lie in the same place: a time, an echo time, a direction of diffusion, ...
@@ -56,3 +59,5 @@ struct DicomFrames
 
 // Adds the frames of a file; root: its data set without the pixels. Throws a Refusal for frames that have no place.
 void addFramesOf(const std::string& file, const DicomItem& root, DicomFrames& all);
+
+} // namespace vp::reader::volumes

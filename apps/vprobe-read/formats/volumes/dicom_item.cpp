@@ -16,6 +16,9 @@
 #include <cmath>
 #include <cstdint>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -44,7 +47,7 @@ std::vector<double> numbersInText(std::string_view text, const gdcm::Tag& tag)
 	{
 		const auto end = std::min(text.find('\\'), text.size());
 		const auto word = withoutBlanks(text.substr(0, end));
-		const auto number = vp::parseReal(word);
+		const auto number = parseReal(word);
 		if (!number)
 			throw damaged(fmt::format("{} is \"{}\", which is no number", nameOf(tag), printable(word.substr(0, 32))));
 		numbers.push_back(*number);
@@ -182,3 +185,5 @@ std::optional<DicomItem> DicomItem::item(const gdcm::Tag& tag) const
 	auto all = items(tag);
 	return all.empty() ? std::nullopt : std::optional(std::move(all[0]));
 }
+
+} // namespace vp::reader::volumes

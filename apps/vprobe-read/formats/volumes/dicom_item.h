@@ -1,14 +1,18 @@
 #pragma once
 
+#include "vprobe-read/base/bytes.h"
+
 #include <gdcmDataSet.h>
 #include <gdcmTag.h>
 
 #include <cstddef>
-#include <cstring>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+namespace vp::reader::volumes
+{
 
 // Elements of a DICOM data set, or of an item of a sequence in it.
 class DicomItem
@@ -53,10 +57,8 @@ std::vector<double> numbersInBytes(std::string_view bytes)
 {
 	std::vector<double> numbers(bytes.size() / sizeof(Number));
 	for (std::size_t i = 0; i < numbers.size(); ++i)
-	{
-		Number number;
-		std::memcpy(&number, bytes.data() + i * sizeof number, sizeof number);
-		numbers[i] = static_cast<double>(number);
-	}
+		numbers[i] = static_cast<double>(numberAt<Number>(bytes.data() + i * sizeof(Number)));
 	return numbers;
 }
+
+} // namespace vp::reader::volumes

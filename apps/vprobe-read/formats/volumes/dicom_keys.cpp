@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cstdint>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -143,3 +146,5 @@ void addKeys(const DicomItem& root, DicomFrame& frame)
 	for (const KeySource& source : fileKeys())
 		addKey(source, &root, frame);
 }
+
+} // namespace vp::reader::volumes

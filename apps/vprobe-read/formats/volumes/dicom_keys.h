@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+namespace vp::reader::volumes
+{
+
 // A frame's functional groups: its own come before those that it shares with others.
 class FrameGroups
 {
@@ -34,3 +37,5 @@ std::vector<DicomDimension> dimensionsOf(const DicomItem& root);
 void addKeys(const std::vector<DicomDimension>& dimensions, const FrameGroups& groups, DicomFrame& frame);
 // The same from the top of a file of one picture.
 void addKeys(const DicomItem& root, DicomFrame& frame);
+
+} // namespace vp::reader::volumes

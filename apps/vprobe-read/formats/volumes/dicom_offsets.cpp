@@ -9,6 +9,9 @@
 #include <array>
 #include <cmath>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -147,3 +150,5 @@ std::vector<double> frameOffsets(const DicomItem& root, DicomFrames& all, std::v
 		                          nameOf(Tag(static_cast<std::uint32_t>(pointers[0])))));
 	return evenOffsets(root, all, frames.size());
 }
+
+} // namespace vp::reader::volumes

@@ -2,6 +2,8 @@
 
 #include "dicom_item.h"
 #include "jpeg2000_parts.h"
+#include "parts/part_bytes.h"
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/mapped_text.h"
 #include "vprobe-read/base/printed_text.h"
 #include "vprobe-read/base/refusal.h"
@@ -13,8 +15,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
+#include <span>
+
+namespace vp::reader::volumes
+{
 
 namespace
 {
@@ -38,7 +43,7 @@ void refuseShortPixels(const std::string& file, const std::string& name)
 			at += 4;
 		std::uint32_t length = 0;
 		if (text.size() - at >= sizeof length)
-			std::memcpy(&length, text.data() + at, sizeof length);
+			length = numberAt<std::uint32_t>(text.data() + at);
 		at = std::min(at + sizeof length, text.size());
 		const bool has_mark = length == ~std::uint32_t(0);
 		const std::size_t end = has_mark ? text.find(end_mark, at) : at + length;
@@ -48,27 +53,16 @@ void refuseShortPixels(const std::string& file, const std::string& name)
 	}
 }
 
-template <class Word>
-void swapWords(std::string& bytes)
-{
-	for (std::size_t at = 0; at + sizeof(Word) <= bytes.size(); at += sizeof(Word))
-		std::reverse(bytes.data() + at, bytes.data() + at + sizeof(Word));
-}
-
 // GDCM has turned round each pair of bytes of type OW, whatever the width of the values.
 std::string inOwnOrder(std::string_view given, unsigned bits, bool in_pairs)
 {
 	std::string bytes(given);
 	if (bits <= 8)
 		return bytes;
+	const auto numbers = std::as_writable_bytes(std::span(bytes));
 	if (in_pairs)
-		swapWords<std::uint16_t>(bytes); // back
-	if (bits == 16)
-		swapWords<std::uint16_t>(bytes);
-	else if (bits == 32)
-		swapWords<std::uint32_t>(bytes);
-	else
-		swapWords<std::uint64_t>(bytes);
+		parts::swapNumbers(numbers, 2); // back
+	parts::swapNumbers(numbers, bits == 16 ? 2 : bits == 32 ? 4 : 8);
 	return bytes;
 }
 
@@ -82,8 +76,7 @@ std::vector<double> fromBits(std::string_view bytes, const DicomPixelForm& form)
 	const std::int64_t sign = form.is_signed ? std::int64_t(1) << (form.stored - 1) : 0;
 	for (std::size_t i = 0; i < values.size(); ++i)
 	{
-		Stored word;
-		std::memcpy(&word, bytes.data() + i * sizeof word, sizeof word);
+		const auto word = numberAt<Stored>(bytes.data() + i * sizeof(Stored));
 		const std::int64_t value = (std::uint32_t(word) >> shift) & mask;
 		values[i] = static_cast<double>((value ^ sign) - sign);
 	}
@@ -288,3 +281,5 @@ std::vector<double> DicomPixels::frame(std::size_t index)
 			    std::clamp(value - form_.table_first, 0.0, static_cast<double>(form_.table->size() - 1)))];
 	return values;
 }
+
+} // namespace vp::reader::volumes

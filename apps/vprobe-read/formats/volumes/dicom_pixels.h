@@ -14,6 +14,9 @@ namespace gdcm
 class SequenceOfFragments;
 }
 
+namespace vp::reader::volumes
+{
+
 // The pixels of one file, unpacked frame by frame. Throws a Refusal for kinds that are not read, and where bytes are
 // missing or do not unpack.
 class DicomPixels
@@ -47,3 +50,5 @@ private:
 	std::vector<std::pair<std::size_t, std::size_t>> of_frame_; // the fragments of each frame, first and past last
 	std::size_t padded_ = 0;
 };
+
+} // namespace vp::reader::volumes

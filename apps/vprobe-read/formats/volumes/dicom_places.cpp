@@ -15,6 +15,9 @@
 #include <cmath>
 #include <filesystem>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -164,3 +167,5 @@ vtkSmartPointer<vtkDataSet> gridOfFrames(const std::vector<DicomFrame>& frames)
 	setSides<vtkStructuredGrid>(grid, sides);
 	return grid;
 }
+
+} // namespace vp::reader::volumes

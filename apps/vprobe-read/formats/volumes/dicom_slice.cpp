@@ -1,6 +1,7 @@
 #include "dicom_slice.h"
 
 #include "dicom_item.h"
+#include "vprobe-read/base/bytes.h"
 
 #include <gdcmReader.h>
 
@@ -10,6 +11,9 @@
 #include <set>
 #include <sstream>
 #include <string_view>
+
+namespace vp::reader::volumes
+{
 
 namespace
 {
@@ -31,13 +35,7 @@ std::string headOf(const std::string& file)
 // program at others.
 bool hasSoundHeader(std::string_view head)
 {
-	const auto number = [&](std::size_t at, std::size_t bytes)
-	{
-		std::size_t value = 0;
-		for (std::size_t b = bytes; b-- > 0;)
-			value = value << 8 | static_cast<unsigned char>(head[at + b]);
-		return value;
-	};
+	const auto number = [&](std::size_t at, std::size_t bytes) { return integerAt(head.data() + at, bytes); };
 	std::size_t at = 132;
 	while (head.size() - at >= 12 && number(at, 2) == 2)
 	{
@@ -62,14 +60,12 @@ bool hasTypesAsSaid(std::string_view head)
 	const auto syntax = head.find(std::string_view("\x02\x00\x10\x00UI", 6));
 	if (head.size() < kFirstEnd || syntax == head.npos || head.size() - syntax < 8)
 		return false;
-	const auto byte = [&](std::size_t at) { return static_cast<std::size_t>(static_cast<unsigned char>(head[at])); };
-	const std::size_t length = byte(syntax + 6) | byte(syntax + 7) << 8;
-	std::string_view name = head.substr(syntax + 8, length);
+	std::string_view name = head.substr(syntax + 8, integerAt(head.data() + syntax + 6, 2));
 	while (!name.empty() && (name.back() == '\0' || name.back() == ' '))
 		name.remove_suffix(1);
 	if (name == "1.2.840.10008.1.2" || name == "1.2.840.10008.1.2.1.99")
 		return true; // without types, or compressed
-	const std::size_t data = kFirstEnd + (byte(140) | byte(141) << 8 | byte(142) << 16);
+	const std::size_t data = kFirstEnd + integerAt(head.data() + 140, 3);
 	return data + 6 <= head.size() && std::isupper(head[data + 4]) && std::isupper(head[data + 5]);
 }
 
@@ -99,3 +95,5 @@ std::optional<DicomSlice> dicomSlice(const std::string& file)
 	slice.frames = static_cast<int>(std::clamp(root.hint(gdcm::Tag(0x0028, 0x0008)).value_or(1.0), 1.0, 1e9));
 	return slice;
 }
+
+} // namespace vp::reader::volumes

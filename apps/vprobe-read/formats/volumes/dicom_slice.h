@@ -3,6 +3,9 @@
 #include <optional>
 #include <string>
 
+namespace vp::reader::volumes
+{
+
 // What a DICOM file says of its series, from its first bytes.
 struct DicomSlice
 {
@@ -15,3 +18,5 @@ struct DicomSlice
 
 // Null for a file that is no DICOM image.
 std::optional<DicomSlice> dicomSlice(const std::string& file);
+
+} // namespace vp::reader::volumes

@@ -12,6 +12,9 @@
 #include <numeric>
 #include <set>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -238,3 +241,5 @@ DicomSteps stepsOf(DicomFrames& all)
 	}
 	return steps;
 }
+
+} // namespace vp::reader::volumes

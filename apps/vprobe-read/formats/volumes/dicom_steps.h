@@ -5,6 +5,9 @@
 #include <string>
 #include <vector>
 
+namespace vp::reader::volumes
+{
+
 // Frames of DICOM, sorted into volumes: one for each time, or whatever else tells frames in one place apart.
 struct DicomSteps
 {
@@ -16,3 +19,5 @@ struct DicomSteps
 // Takes the largest stack if there are several, and tells so. Throws a Refusal for frames that are no stack of parallel
 // pictures, or not equally many in each place.
 DicomSteps stepsOf(DicomFrames& all);
+
+} // namespace vp::reader::volumes

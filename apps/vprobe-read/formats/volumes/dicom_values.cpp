@@ -7,7 +7,10 @@
 #include <cstring>
 #include <limits>
 
-using vp::grid::NumberType;
+namespace vp::reader::volumes
+{
+
+using grid::NumberType;
 
 namespace
 {
@@ -116,3 +119,5 @@ void rescale(const std::vector<double>& values, double slope, double intercept, 
 		return rescaleAs<double>(values, slope, intercept, to);
 	}
 }
+
+} // namespace vp::reader::volumes

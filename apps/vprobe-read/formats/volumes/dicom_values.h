@@ -4,6 +4,9 @@
 
 #include <vector>
 
+namespace vp::reader::volumes
+{
+
 struct DicomPixelForm;
 
 // Finds the type that holds the rescaled values of every frame without loss: an integer where all slopes and intercepts
@@ -12,7 +15,7 @@ class DicomValueType
 {
 public:
 	void add(const DicomPixelForm& form, double slope, double intercept);
-	vp::grid::NumberType type() const;
+	grid::NumberType type() const;
 
 private:
 	double low_ = 0.0;
@@ -25,4 +28,6 @@ private:
 };
 
 // Writes slope * value + intercept, each as one of that type.
-void rescale(const std::vector<double>& values, double slope, double intercept, vp::grid::NumberType type, char* to);
+void rescale(const std::vector<double>& values, double slope, double intercept, grid::NumberType type, char* to);
+
+} // namespace vp::reader::volumes

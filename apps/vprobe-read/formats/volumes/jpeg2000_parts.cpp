@@ -5,6 +5,9 @@
 #include <cstddef>
 #include <vector>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -95,3 +98,5 @@ bool isWholeJpeg2000(std::string_view bytes, std::uint32_t columns, std::uint32_
 	    numbers.marker(at) == kJpegEnd || bytes.substr(at).find_first_not_of('\0') == std::string_view::npos;
 	return ends && tiles > 0 && std::ranges::all_of(seen, [](bool is_there) { return is_there; });
 }
+
+} // namespace vp::reader::volumes

@@ -11,6 +11,9 @@
 
 #include <libdeflate.h>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -121,3 +124,5 @@ std::string metaBytes(const std::string& file, const MetaHeader& header, std::ui
 	}
 	return values;
 }
+
+} // namespace vp::reader::volumes

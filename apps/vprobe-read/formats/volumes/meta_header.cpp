@@ -13,6 +13,9 @@
 #include <optional>
 #include <string_view>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -46,7 +49,7 @@ std::vector<double> realsIn(std::string_view key, std::string_view text)
 	std::vector<double> numbers;
 	for (const std::string_view word : metaWords(text))
 	{
-		const std::optional<double> number = vp::parseReal(word);
+		const std::optional<double> number = parseReal(word);
 		if (!number || !std::isfinite(*number))
 			throw damaged(fmt::format("its {} has something else in place of a number", key));
 		numbers.push_back(*number);
@@ -220,9 +223,9 @@ bool takeValue(MetaHeader& header, const std::string& key, const std::string& va
 	else if (key == "DistanceUnits")
 		header.units = value;
 	else if (key == "ElementToIntensityFunctionSlope")
-		header.has_scale = header.has_scale || vp::parseReal(value).value_or(1.0) != 1.0;
+		header.has_scale = header.has_scale || parseReal(value).value_or(1.0) != 1.0;
 	else if (key == "ElementToIntensityFunctionOffset")
-		header.has_scale = header.has_scale || vp::parseReal(value).value_or(0.0) != 0.0;
+		header.has_scale = header.has_scale || parseReal(value).value_or(0.0) != 0.0;
 	else
 		return false;
 	return true;
@@ -289,3 +292,5 @@ void makeSpacingPositive(MetaHeader& header)
 			header.direction[3 * component + axis] *= -1.0;
 	}
 }
+
+} // namespace vp::reader::volumes

@@ -6,6 +6,9 @@
 #include <string>
 #include <vector>
 
+namespace vp::reader::volumes
+{
+
 // What a MetaImage header says, as MetaIO (the library of ITK and VTK) takes it.
 struct MetaHeader
 {
@@ -51,3 +54,5 @@ std::optional<MetaPlace> metaPlace(const std::string& file, const MetaHeader& he
 // The values at one time, unpacked, in the file's order of bytes; or the whole text. Throws a Refusal where a data file
 // is missing or shorter than the header asks for, or cannot be unpacked.
 std::string metaBytes(const std::string& file, const MetaHeader& header, std::uint64_t time);
+
+} // namespace vp::reader::volumes

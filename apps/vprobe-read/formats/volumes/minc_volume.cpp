@@ -10,6 +10,9 @@
 #include <algorithm>
 #include <limits>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -45,7 +48,7 @@ void takeSign(MincVolume& volume, nc_type type, const std::string& sign)
 
 MincVolume readMinc1(const std::string& name)
 {
-	const NetcdfFile file(name);
+	const hdf5::NetcdfFile file(name);
 	const int image = file.variable("image");
 	if (image < 0)
 		throw damaged("it has no image");
@@ -68,7 +71,7 @@ MincVolume readMinc1(const std::string& name)
 		volume.axes.push_back(axis);
 	}
 	nc_type type = NC_NAT;
-	NetcdfFile::check(nc_inq_vartype(file.id(), image, &type));
+	hdf5::NetcdfFile::check(nc_inq_vartype(file.id(), image, &type));
 	volume.is_float = type == NC_FLOAT || type == NC_DOUBLE;
 	volume.values = file.values(image);
 	if (volume.is_float) // what nobody wrote
@@ -86,7 +89,7 @@ MincVolume readMinc1(const std::string& name)
 
 MincVolume readMinc2(const std::string& name)
 {
-	const Hdf5File file(name);
+	const hdf5::File file(name);
 	const std::string root = "/minc-2.0/";
 	const std::string image = root + "image/0/image";
 	const std::vector<std::uint64_t> sides = file.sidesOf(image);
@@ -116,3 +119,5 @@ MincVolume readMinc2(const std::string& name)
 			*values = file.reals(path);
 	return volume;
 }
+
+} // namespace vp::reader::volumes

@@ -4,6 +4,9 @@
 #include <string>
 #include <vector>
 
+namespace vp::reader::volumes
+{
+
 // A dimension of a MINC image.
 struct MincAxis
 {
@@ -30,3 +33,5 @@ struct MincVolume
 MincVolume readMinc2(const std::string& file);
 // Version 1 is netCDF.
 MincVolume readMinc1(const std::string& file);
+
+} // namespace vp::reader::volumes

@@ -8,10 +8,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numbers>
 
-using vp::grid::NumberType;
+namespace vp::reader::volumes
+{
+
+using grid::NumberType;
 
 namespace
 {
@@ -31,13 +33,7 @@ enum ImodFlag
 template <class Number>
 Number MrcHeader::number(std::size_t word) const
 {
-	std::array<char, 4> bytes;
-	std::memcpy(bytes.data(), file_.data() + 4 * word, 4);
-	if (swapped_)
-		std::reverse(bytes.begin(), bytes.end());
-	Number value;
-	std::memcpy(&value, bytes.data(), 4);
-	return value;
+	return numberAt<Number>(file_.data() + 4 * word, order_);
 }
 
 bool MrcHeader::hasOrderOfAxes() const
@@ -54,7 +50,7 @@ void MrcHeader::chooseOrder()
 {
 	if (hasOrderOfAxes())
 		return;
-	swapped_ = true;
+	order_ = ByteOrder::big;
 	if (!hasOrderOfAxes())
 		throw damaged("its axes have no order");
 }
@@ -123,7 +119,7 @@ MrcHeader::MrcHeader(std::string_view file) : file_(file)
 	}
 	setType();
 	splitVolumes();
-	layout_.is_big_endian = swapped_;
+	layout_.is_big_endian = order_ == ByteOrder::big;
 	const int extended = integer(23);
 	if (extended < 0 || static_cast<std::size_t>(extended) > file.size() - kMrcHeaderBytes)
 		throw damaged("its extended header runs past its end");
@@ -134,7 +130,7 @@ std::uint64_t MrcHeader::bytesOfVolume() const
 {
 	if (!isPacked())
 		return layout_.byteCount();
-	ValueLayout bytes = layout_;
+	arrays::ValueLayout bytes = layout_;
 	bytes.points[0] = bytes.points[0] / 2 + bytes.points[0] % 2;
 	return bytes.byteCount();
 }
@@ -190,3 +186,5 @@ MrcHeader::Place MrcHeader::place() const
 		place.origin[row] = is_turned ? -origin[row] : origin[row];
 	return place;
 }
+
+} // namespace vp::reader::volumes

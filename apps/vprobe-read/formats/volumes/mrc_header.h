@@ -1,10 +1,14 @@
 #pragma once
 
 #include "vprobe-read/arrays/value_image.h"
+#include "vprobe-read/base/bytes.h"
 
 #include <array>
 #include <cstdint>
 #include <string_view>
+
+namespace vp::reader::volumes
+{
 
 // What the header of an MRC or CCP4 map says (MRC2014, and IMOD's additions to it). The bytes must outlive it.
 class MrcHeader
@@ -14,7 +18,7 @@ public:
 	explicit MrcHeader(std::string_view file);
 
 	// As the values of one volume lie in the file.
-	const ValueLayout& layout() const { return layout_; }
+	const arrays::ValueLayout& layout() const { return layout_; }
 	bool isHalf() const { return mode_ == 12; }    // floats of 16 bits
 	bool isPacked() const { return mode_ == 101; } // two values of 4 bits in a byte, rows of whole bytes
 	std::uint32_t volumes() const { return volumes_; }
@@ -42,10 +46,12 @@ private:
 	std::array<std::array<double, 3>, 3> cellAxes() const;
 
 	std::string_view file_;
-	bool swapped_ = false;
+	ByteOrder order_ = ByteOrder::little;
 	int mode_ = 0;
 	bool by_imod_ = false;
-	ValueLayout layout_;
+	arrays::ValueLayout layout_;
 	std::uint32_t volumes_ = 1;
 	std::uint64_t values_begin_ = 0;
 };
+
+} // namespace vp::reader::volumes

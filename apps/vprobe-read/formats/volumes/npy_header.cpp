@@ -8,7 +8,10 @@
 #include <charconv>
 #include <vector>
 
-using vp::grid::NumberType;
+namespace vp::reader::volumes
+{
+
+using grid::NumberType;
 
 namespace
 {
@@ -16,14 +19,6 @@ namespace
 constexpr std::string_view kMagic = "\x93NUMPY";
 constexpr std::uint32_t kMaxComponents = 64;
 constexpr std::uint32_t kMaxSide = 1u << 30;
-
-std::uint64_t littleEndian(std::string_view bytes)
-{
-	std::uint64_t value = 0;
-	for (std::size_t i = bytes.size(); i-- > 0;)
-		value = value << 8 | static_cast<unsigned char>(bytes[i]);
-	return value;
-}
 
 // What stands behind 'key': in the header's dictionary, to its end.
 std::string_view valueOf(std::string_view header, std::string_view key)
@@ -78,7 +73,7 @@ std::optional<NpyArray> parseNpy(std::string_view file, bool takes_pictures)
 		throw damaged("its first bytes are not those of a NumPy array");
 	const std::size_t length_bytes = file[6] == 1 ? 2 : 4;
 	const std::size_t start = 8 + length_bytes;
-	const std::uint64_t length = littleEndian(file.substr(8, length_bytes));
+	const std::uint64_t length = integerAt(file.data() + 8, length_bytes);
 	if (length > file.size() - start)
 		throw damaged("its header runs past its end");
 	const std::string_view header = file.substr(start, length);
@@ -108,3 +103,5 @@ std::optional<NpyArray> parseNpy(std::string_view file, bool takes_pictures)
 	std::copy(shape.begin(), shape.end(), array.layout.points.begin());
 	return array;
 }
+
+} // namespace vp::reader::volumes

@@ -6,10 +6,13 @@
 #include <optional>
 #include <string_view>
 
+namespace vp::reader::volumes
+{
+
 // One array of NumPy's format (numpy.lib.format, versions 1 to 3).
 struct NpyArray
 {
-	ValueLayout layout;
+	arrays::ValueLayout layout;
 	std::string_view values;
 };
 
@@ -24,3 +27,5 @@ public:
 // components; two are those of a picture, if it is wanted. C order, NumPy's own, has z first and x last; Fortran order
 // the other way round. Throws a Refusal for what is damaged, and an UnreadNpyType.
 std::optional<NpyArray> parseNpy(std::string_view file, bool takes_pictures = false);
+
+} // namespace vp::reader::volumes

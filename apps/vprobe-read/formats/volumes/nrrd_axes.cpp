@@ -8,6 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -108,7 +111,7 @@ void takeDirections(const Nrrd& nrrd, const NrrdAxes& axes, NrrdPlace& place)
 	std::array<std::string, 3> units;
 	for (std::size_t row = 0; row < 3; ++row)
 		units[row] = nrrd.spaceUnits[row] ? nrrd.spaceUnits[row] : "";
-	const OneLengthUnit one = oneLengthUnit(units); // of space, not of the axes
+	const text::OneLengthUnit one = text::oneLengthUnit(units); // of space, not of the axes
 	for (std::size_t a = 0; a < 3; ++a)
 	{
 		std::array<double, 3> step;
@@ -124,7 +127,7 @@ void takeDirections(const Nrrd& nrrd, const NrrdAxes& axes, NrrdPlace& place)
 	place.length_units = one.sign;
 	place.orientation = orientationOf(nrrd.space);
 	if (one.differ)
-		place.note = unitsDiffer(units);
+		place.note = text::unitsDiffer(units);
 }
 
 void takeSpacings(const Nrrd& nrrd, const NrrdAxes& axes, NrrdPlace& place)
@@ -132,7 +135,7 @@ void takeSpacings(const Nrrd& nrrd, const NrrdAxes& axes, NrrdPlace& place)
 	std::array<std::string, 3> units;
 	for (std::size_t a = 0; a < 3; ++a)
 		units[a] = nrrd.axis[axes.space[a]].units ? nrrd.axis[axes.space[a]].units : "";
-	const OneLengthUnit one = oneLengthUnit(units);
+	const text::OneLengthUnit one = text::oneLengthUnit(units);
 	for (std::size_t a = 0; a < 3; ++a)
 	{
 		const auto [spacing, first] = rangeOf(nrrd.axis[axes.space[a]]);
@@ -141,7 +144,7 @@ void takeSpacings(const Nrrd& nrrd, const NrrdAxes& axes, NrrdPlace& place)
 	}
 	place.length_units = one.sign;
 	if (one.differ)
-		place.note = unitsDiffer(units);
+		place.note = text::unitsDiffer(units);
 }
 
 } // namespace
@@ -219,3 +222,5 @@ std::string nrrdTimeUnits(const Nrrd& nrrd, const NrrdAxes& axes)
 	const char* units = hasDirection(nrrd, *axes.time) ? nrrd.spaceUnits[3] : nrrd.axis[*axes.time].units;
 	return units ? units : "";
 }
+
+} // namespace vp::reader::volumes

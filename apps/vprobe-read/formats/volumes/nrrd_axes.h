@@ -7,6 +7,9 @@
 
 #include <teem/nrrd.h>
 
+namespace vp::reader::volumes
+{
+
 // What the axes of a NRRD file stand for. Axes of space have a direction, or a kind that says so, or no kind at all;
 // one of kind time is time; others are components of the values.
 struct NrrdAxes
@@ -26,7 +29,7 @@ struct NrrdPlace
 	std::array<double, 3> spacing{1.0, 1.0, 1.0};
 	std::array<double, 9> direction{1, 0, 0, 0, 1, 0, 0, 0, 1}; // rows
 	std::string length_units;
-	std::string orientation; // as vp::grid::parseOrientation() takes it; mostly empty
+	std::string orientation; // as grid::parseOrientation() takes it; mostly empty
 	std::string note;        // for the user; mostly empty
 };
 NrrdPlace nrrdPlace(const Nrrd& nrrd, const NrrdAxes& axes);
@@ -37,3 +40,5 @@ std::string nrrdTimeUnits(const Nrrd& nrrd, const NrrdAxes& axes);
 
 // The numbers of a file whose encoding is text, as they stand there. Nothing where its data files have a pattern.
 std::optional<std::string> nrrdText(const std::string& file);
+
+} // namespace vp::reader::volumes

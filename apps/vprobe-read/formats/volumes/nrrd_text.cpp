@@ -9,6 +9,9 @@
 #include <charconv>
 #include <filesystem>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -94,3 +97,5 @@ std::optional<std::string> nrrdText(const std::string& file)
 			    skipped(MappedText((std::filesystem::path(file).parent_path() / name).string()).text(), lines, bytes));
 	return text;
 }
+
+} // namespace vp::reader::volumes

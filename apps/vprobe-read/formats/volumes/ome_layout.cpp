@@ -11,33 +11,36 @@
 #include <algorithm>
 #include <cmath>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
-bool isCalled(const XmlElement& element, std::string_view name)
+bool isCalled(const text::XmlElement& element, std::string_view name)
 {
 	return element.name == name || element.name.ends_with(fmt::format(":{}", name));
 }
 
-const XmlElement* omeDescendant(const XmlElement& from, std::string_view name)
+const text::XmlElement* omeDescendant(const text::XmlElement& from, std::string_view name)
 {
-	for (const XmlElement& child : from.children)
+	for (const text::XmlElement& child : from.children)
 	{
 		if (isCalled(child, name))
 			return &child;
-		if (const XmlElement* found = omeDescendant(child, name))
+		if (const text::XmlElement* found = omeDescendant(child, name))
 			return found;
 	}
 	return nullptr;
 }
 
-std::optional<double> realOf(const XmlElement& element, std::string_view key)
+std::optional<double> realOf(const text::XmlElement& element, std::string_view key)
 {
-	const std::optional<double> value = vp::parseReal(element.attribute(key));
+	const std::optional<double> value = parseReal(element.attribute(key));
 	return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-std::uint32_t indexOf(const XmlElement& element, std::string_view key, std::uint32_t otherwise)
+std::uint32_t indexOf(const text::XmlElement& element, std::string_view key, std::uint32_t otherwise)
 {
 	if (!element.has(key))
 		return otherwise;
@@ -47,7 +50,7 @@ std::uint32_t indexOf(const XmlElement& element, std::string_view key, std::uint
 	return static_cast<std::uint32_t>(value);
 }
 
-std::uint32_t sizeOf(const XmlElement& pixels, std::string_view key)
+std::uint32_t sizeOf(const text::XmlElement& pixels, std::string_view key)
 {
 	const std::uint32_t size = indexOf(pixels, key, 1);
 	if (size == 0)
@@ -55,7 +58,7 @@ std::uint32_t sizeOf(const XmlElement& pixels, std::string_view key)
 	return size;
 }
 
-void placeOme(TiffLayout& layout, const XmlElement& pixels)
+void placeOme(TiffLayout& layout, const text::XmlElement& pixels)
 {
 	constexpr std::array keys = {"PhysicalSizeX", "PhysicalSizeY", "PhysicalSizeZ"};
 	std::array<std::string, 3> units;
@@ -78,22 +81,22 @@ void placeOme(TiffLayout& layout, const XmlElement& pixels)
 			const auto other = static_cast<std::size_t>(std::find(given.begin(), given.end(), true) - given.begin());
 			units[axis] = units[other];
 		}
-	const OneLengthUnit one = oneLengthUnit(units);
+	const text::OneLengthUnit one = text::oneLengthUnit(units);
 	layout.length_units = one.sign;
 	if (one.differ)
-		layout.notes.push_back(unitsDiffer(units));
+		layout.notes.push_back(text::unitsDiffer(units));
 	for (std::size_t axis = 0; axis < 3; ++axis)
 		layout.spacing[axis] *= one.factors[axis];
 }
 
 // The times of the planes of the first slice and channel where all have one, or else equal steps.
-void timeOme(TiffLayout& layout, const XmlElement& pixels)
+void timeOme(TiffLayout& layout, const text::XmlElement& pixels)
 {
 	if (layout.times < 2)
 		return;
 	std::vector<double> of_planes(layout.times, NAN);
 	std::string units = "s"; // the schema's default
-	for (const XmlElement& plane : pixels.children)
+	for (const text::XmlElement& plane : pixels.children)
 	{
 		if (!isCalled(plane, "Plane") || !realOf(plane, "DeltaT"))
 			continue;
@@ -118,10 +121,11 @@ void timeOme(TiffLayout& layout, const XmlElement& pixels)
 }
 
 // Which file has the pages of a TiffData element. A file that was renamed is known by its UUID.
-std::uint32_t fileOf(TiffLayout& layout, const XmlElement& data, std::string_view own_uuid, const std::string& own_name)
+std::uint32_t fileOf(TiffLayout& layout, const text::XmlElement& data, std::string_view own_uuid,
+                     const std::string& own_name)
 {
 	const auto uuid = std::find_if(data.children.begin(), data.children.end(),
-	                               [](const XmlElement& child) { return isCalled(child, "UUID"); });
+	                               [](const text::XmlElement& child) { return isCalled(child, "UUID"); });
 	if (uuid == data.children.end())
 		return 0;
 	std::string_view text = uuid->text;
@@ -143,9 +147,9 @@ std::uint32_t fileOf(TiffLayout& layout, const XmlElement& data, std::string_vie
 	return static_cast<std::uint32_t>(known - layout.files.begin());
 }
 
-void mapPlanes(TiffLayout& layout, const XmlElement& pixels, std::string_view own_uuid, const TiffFacts& facts)
+void mapPlanes(TiffLayout& layout, const text::XmlElement& pixels, std::string_view own_uuid, const TiffFacts& facts)
 {
-	for (const XmlElement& data : pixels.children)
+	for (const text::XmlElement& data : pixels.children)
 	{
 		if (isCalled(data, "BinData"))
 			throw Refusal("its pixels are in its XML (BinData); save it as TIFF pages");
@@ -180,17 +184,17 @@ std::string omeMetadataFile(std::string_view description)
 {
 	if (!isOme(description) || description.find("BinaryOnly") == description.npos)
 		return {};
-	const std::optional<XmlFile> xml = parseXml(description);
-	const XmlElement* only = xml ? omeDescendant(xml->root, "BinaryOnly") : nullptr;
+	const std::optional<text::XmlFile> xml = text::parseXml(description);
+	const text::XmlElement* only = xml ? omeDescendant(xml->root, "BinaryOnly") : nullptr;
 	return only ? std::string(only->attribute("MetadataFile")) : std::string();
 }
 
 TiffLayout omeLayout(const TiffFacts& facts)
 {
-	const std::optional<XmlFile> xml = parseXml(facts.description);
+	const std::optional<text::XmlFile> xml = text::parseXml(facts.description);
 	if (!xml)
 		throw damaged("its OME-XML is not well-formed");
-	const XmlElement* pixels = omeDescendant(xml->root, "Pixels");
+	const text::XmlElement* pixels = omeDescendant(xml->root, "Pixels");
 	if (!pixels)
 		throw damaged("its OME-XML names no Pixels");
 	TiffLayout layout;
@@ -209,8 +213,10 @@ TiffLayout omeLayout(const TiffFacts& facts)
 	timeOme(layout, *pixels);
 	mapPlanes(layout, *pixels, xml->root.attribute("UUID"), facts);
 	const auto images = std::count_if(xml->root.children.begin(), xml->root.children.end(),
-	                                  [](const XmlElement& child) { return isCalled(child, "Image"); });
+	                                  [](const text::XmlElement& child) { return isCalled(child, "Image"); });
 	if (images > 1)
 		layout.notes.push_back(fmt::format("it has {} images; the first is shown", images));
 	return layout;
 }
+
+} // namespace vp::reader::volumes

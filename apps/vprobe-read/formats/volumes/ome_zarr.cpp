@@ -12,6 +12,9 @@
 #include <filesystem>
 #include <functional>
 
+namespace vp::reader::volumes
+{
+
 using nlohmann::json;
 
 namespace
@@ -178,3 +181,5 @@ std::size_t OmeZarr::spaceAxes() const
 	const auto last = std::find_if(axes.rbegin(), axes.rend(), [](const Axis& axis) { return axis.type != "space"; });
 	return static_cast<std::size_t>(last - axes.rbegin());
 }
+
+} // namespace vp::reader::volumes

@@ -9,6 +9,9 @@
 #include <utility>
 #include <vector>
 
+namespace vp::reader::volumes
+{
+
 // An image of OME-Zarr (NGFF), of versions 0.1 to 0.5: a group whose attributes say which arrays are its levels, and
 // where they lie.
 struct OmeZarr
@@ -40,3 +43,5 @@ struct OmeZarr
 	// Returns the number of the axes in space. They are the last ones.
 	std::size_t spaceAxes() const;
 };
+
+} // namespace vp::reader::volumes

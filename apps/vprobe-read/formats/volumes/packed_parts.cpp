@@ -12,13 +12,16 @@
 #include <sstream>
 #include <vector>
 
+namespace vp::reader
+{
+
 namespace
 {
 
-UnpackPart fromChunks(const std::string& name, const std::string& filters)
+arrays::UnpackPart fromChunks(const std::string& name, const std::string& filters)
 {
 	const auto file = std::make_shared<const MappedText>(name);
-	return [file, steps = Hdf5Filters(filters)](const PackedPart& part, std::span<std::byte> to)
+	return [file, steps = hdf5::Filters(filters)](const arrays::PackedPart& part, std::span<std::byte> to)
 	{
 		if (part.offset > file->text().size() || part.bytes > file->text().size() - part.offset)
 			throw damaged("a part lies outside of it");
@@ -27,24 +30,27 @@ UnpackPart fromChunks(const std::string& name, const std::string& filters)
 	};
 }
 
-UnpackPart fromZarr(const std::filesystem::path& folder, std::istream& indices)
+arrays::UnpackPart fromZarr(const std::filesystem::path& folder, std::istream& indices)
 {
-	const auto about = zarrArrayJson(folder);
+	const auto about = volumes::zarrArrayJson(folder);
 	if (!about)
 		throw Refusal("its array is not there any more");
-	const auto array = std::make_shared<const ZarrArray>(folder, folder.filename().string(), *about);
+	const auto array = std::make_shared<const volumes::ZarrArray>(folder, folder.filename().string(), *about);
 	std::vector<std::size_t> front;
 	for (std::size_t index = 0; indices >> index;)
 		front.push_back(index);
-	return [array, front](const PackedPart& part, std::span<std::byte> to) { array->readPart(front, part.offset, to); };
+	return [array, front](const arrays::PackedPart& part, std::span<std::byte> to)
+	{ array->readPart(front, part.offset, to); };
 }
 
 } // namespace
 
-UnpackPart unpackerOf(const std::string& file, const std::string& how)
+arrays::UnpackPart arrays::unpackerOf(const std::string& file, const std::string& how)
 {
 	std::istringstream words(how);
 	std::string reader;
 	words >> reader;
 	return reader == "zarr" ? fromZarr(file, words) : fromChunks(file, how);
 }
+
+} // namespace vp::reader

@@ -29,6 +29,9 @@
 #include <map>
 #include <numeric>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -57,7 +60,7 @@ std::vector<DicomSlice> givenSlices(const std::vector<std::string>& files)
 }
 
 // The files of one series: that of `request.file`, or, where it is a folder, the largest in it.
-std::vector<DicomSlice> sliceFiles(const Request& request, ManifestWriter& manifest)
+std::vector<DicomSlice> sliceFiles(const Request& request, manifest::Writer& manifest)
 {
 	if (!request.slices.empty())
 		return givenSlices(request.slices);
@@ -120,7 +123,7 @@ DicomFrames framesOf(const std::vector<DicomSlice>& files)
 }
 
 // Pixels of frames, in their order, as one array in a type that holds all of them.
-vtkSmartPointer<vtkDataArray> valuesOf(const std::vector<DicomFrame>& frames, ManifestWriter& manifest)
+vtkSmartPointer<vtkDataArray> valuesOf(const std::vector<DicomFrame>& frames, manifest::Writer& manifest)
 {
 	DicomValueType type;
 	std::map<std::string, std::vector<std::size_t>> files; // the numbers of the frames in each
@@ -130,7 +133,7 @@ vtkSmartPointer<vtkDataArray> valuesOf(const std::vector<DicomFrame>& frames, Ma
 		files[frames[f].file].push_back(f);
 	}
 	const DicomPixelForm& form = frames[0].form;
-	const ValueLayout layout{
+	const arrays::ValueLayout layout{
 	    {form.columns, form.rows, static_cast<std::uint32_t>(frames.size())}, form.samples, type.type(), false};
 	std::string bytes;
 	std::size_t padded = 0;
@@ -148,19 +151,19 @@ vtkSmartPointer<vtkDataArray> valuesOf(const std::vector<DicomFrame>& frames, Ma
 		manifest.warn(fmt::format("{} of its {} values stand for no part of a picture (PixelPaddingValue); they are "
 		                          "kept as values",
 		                          padded, layout.valueCount()));
-	return arrayOf(bytes, layout, "DICOM");
+	return arrays::arrayOf(bytes, layout, "DICOM");
 }
 
 } // namespace
 
-void readDicom(const Request& request, ManifestWriter& manifest)
+void readDicom(const Request& request, manifest::Writer& manifest)
 {
 	gdcm::Trace::WarningOff();
 	gdcm::Trace::ErrorOff();
 	DicomFrames all = framesOf(sliceFiles(request, manifest));
 	DicomSteps steps = stepsOf(all);
-	chooseIfAny(steps.times, request); // refuses an index where there are no times
-	const auto& frames = steps.steps[steps.times.empty() ? 0 : chooseStep(steps.times, request)];
+	manifest::chooseIfAny(steps.times, request); // refuses an index where there are no times
+	const auto& frames = steps.steps[steps.times.empty() ? 0 : manifest::chooseStep(steps.times, request)];
 	const auto grid = gridOfFrames(frames);
 	if (!vtkImageData::SafeDownCast(grid))
 		all.note("its frames are not evenly far apart; the grid follows them, and none may be missing");
@@ -176,3 +179,5 @@ void readDicom(const Request& request, ManifestWriter& manifest)
 	manifest.addLone(grid);
 	manifest.offerTimes(std::move(steps.times));
 }
+
+} // namespace vp::reader::volumes

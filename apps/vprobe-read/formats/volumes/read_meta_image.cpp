@@ -21,7 +21,10 @@
 #include <limits>
 #include <utility>
 
-using vp::grid::NumberType;
+namespace vp::reader::volumes
+{
+
+using grid::NumberType;
 
 namespace
 {
@@ -47,7 +50,7 @@ double metaNumber(const std::vector<double>& values, std::size_t axis, double ot
 	return axis < values.size() ? values[axis] : otherwise;
 }
 
-StepsInTime timesOfMeta(const MetaHeader& header, ManifestWriter& manifest)
+manifest::StepsInTime timesOfMeta(const MetaHeader& header, manifest::Writer& manifest)
 {
 	constexpr std::uint64_t most = 1 << 24;
 	std::vector<double> times;
@@ -56,10 +59,10 @@ StepsInTime timesOfMeta(const MetaHeader& header, ManifestWriter& manifest)
 	for (std::uint64_t t = 0; header.times() > 1 && t < header.times(); ++t)
 		times.push_back(metaNumber(header.offset, 3, 0.0) +
 		                static_cast<double>(t) * metaNumber(header.spacing, 3, 1.0));
-	return stepsInTime(times, manifest);
+	return manifest::stepsInTime(times, manifest);
 }
 
-void placeMeta(const MetaHeader& header, vtkImageData* image, ManifestWriter& manifest)
+void placeMeta(const MetaHeader& header, vtkImageData* image, manifest::Writer& manifest)
 {
 	image->SetOrigin(metaNumber(header.offset, 0, 0.0), metaNumber(header.offset, 1, 0.0),
 	                 metaNumber(header.offset, 2, 0.0));
@@ -71,34 +74,35 @@ void placeMeta(const MetaHeader& header, vtkImageData* image, ManifestWriter& ma
 	if (volume == 0.0)
 		throw damaged("its TransformMatrix makes no grid");
 	image->SetDirectionMatrix(d.data());
-	manifest.setLengthUnits(lengthSign(header.units));
+	manifest.setLengthUnits(text::lengthSign(header.units));
 	// Where the header tells of a patient, the coordinates are ITK's: x to the left, y to the back, z to the head.
 	const bool is_patient = header.orientation.find_first_of("LRAPSI") != std::string::npos;
 	manifest.setImaging({is_patient ? "LPS" : "", true});
 }
 
-vtkSmartPointer<vtkDataArray> valuesOf(const Request& request, const MetaHeader& header, const ValueLayout& layout,
-                                       std::size_t step)
+vtkSmartPointer<vtkDataArray> valuesOf(const Request& request, const MetaHeader& header,
+                                       const arrays::ValueLayout& layout, std::size_t step)
 {
 	vtkNew<vtkMatrix3x3> direction;
 	direction->DeepCopy(header.direction.data());
-	if (request.leaves(layout.byteCount()) && layout.byteCount() == header.volumeBytes() && isAxisAligned(direction))
+	if (request.leaves(layout.byteCount()) && layout.byteCount() == header.volumeBytes() &&
+	    cells::isAxisAligned(direction))
 		if (const std::optional<MetaPlace> place = metaPlace(request.file, header, step))
-			return storedArray(layout, "MetaImage", storedRows(place->file, place->offset, layout));
+			return arrays::storedArray(layout, "MetaImage", arrays::storedRows(place->file, place->offset, layout));
 	const std::string bytes = metaBytes(request.file, header, step);
-	return header.is_text ? arrayOfText(bytes, layout, step, header.times(), "MetaImage")
-	                      : arrayOf(bytes, layout, "MetaImage");
+	return header.is_text ? arrays::arrayOfText(bytes, layout, step, header.times(), "MetaImage")
+	                      : arrays::arrayOf(bytes, layout, "MetaImage");
 }
 
 } // namespace
 
-void readMetaImage(const Request& request, ManifestWriter& manifest)
+void readMetaImage(const Request& request, manifest::Writer& manifest)
 {
 	MetaHeader header = readMetaHeader(request.file);
 	if (header.is_picture && !request.is_slice)
 		throw Refusal("nothing to slice: a picture of two dimensions");
 	makeSpacingPositive(header);
-	ValueLayout layout;
+	arrays::ValueLayout layout;
 	for (std::size_t axis = 0; axis < 3; ++axis)
 	{
 		if (header.size[axis] > std::numeric_limits<std::int32_t>::max())
@@ -108,15 +112,17 @@ void readMetaImage(const Request& request, ManifestWriter& manifest)
 	layout.components = static_cast<std::uint32_t>(header.channels);
 	layout.type = typeOfMeta(header.type);
 	layout.is_big_endian = header.is_big_endian;
-	StepsInTime times = timesOfMeta(header, manifest);
-	chooseIfAny(times.times, request);
-	const std::size_t step = times.times.empty() ? 0 : times.steps[chooseStep(times.times, request)];
+	manifest::StepsInTime times = timesOfMeta(header, manifest);
+	manifest::chooseIfAny(times.times, request);
+	const std::size_t step = times.times.empty() ? 0 : times.steps[manifest::chooseStep(times.times, request)];
 
 	const auto values = valuesOf(request, header, layout, step);
-	const auto image = imageOf(values, layout.points);
+	const auto image = arrays::imageOf(values, layout.points);
 	placeMeta(header, image, manifest);
 	if (header.has_scale)
 		manifest.warn("its ElementToIntensityFunction is not applied to the values, as in ITK");
 	manifest.addLone(image);
 	manifest.offerTimes(std::move(times.times));
 }
+
+} // namespace vp::reader::volumes

@@ -17,6 +17,9 @@
 #include <algorithm>
 #include <cmath>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -105,11 +108,11 @@ vtkSmartPointer<vtkImageData> mincImage(const MincVolume& volume, std::size_t at
 
 } // namespace
 
-void readMinc(const Request& request, ManifestWriter& manifest)
+void readMinc(const Request& request, manifest::Writer& manifest)
 {
-	const bool is_hdf5 = FileHead(request.file).isHdf5();
+	const bool is_hdf5 = checks::FileHead(request.file).isHdf5();
 	if (!is_hdf5)
-		refuseShortNetcdf(request.file);
+		checks::refuseShortNetcdf(request.file);
 	MincVolume volume = is_hdf5 ? readMinc2(request.file) : readMinc1(request.file);
 	for (const MincAxis& axis : volume.axes)
 		if (axis.count == 0 || axis.count > 1 << 20)
@@ -123,10 +126,12 @@ void readMinc(const Request& request, ManifestWriter& manifest)
 			for (std::size_t i = 0; i < axis.count; ++i)
 				times.push_back(axis.start + axis.step * static_cast<double>(i));
 			manifest.setTimeUnits(axis.units);
-			at = mincStepOf(volume, a) * offerSteps(times, request, manifest).value_or(0);
+			at = mincStepOf(volume, a) * manifest::offerSteps(times, request, manifest).value_or(0);
 		}
 	const auto axis = std::ranges::find_if(volume.axes, isMincSpace);
 	manifest.setLengthUnits(axis == volume.axes.end() ? "" : axis->units);
 	manifest.setImaging({"RAS", true});
 	manifest.add(mincImage(volume, at));
 }
+
+} // namespace vp::reader::volumes

@@ -20,6 +20,9 @@
 
 #include <algorithm>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -50,7 +53,7 @@ std::string unpackedHalfBytes(std::string_view packed, std::uint32_t columns)
 
 } // namespace
 
-void readMrc(const Request& request, ManifestWriter& manifest)
+void readMrc(const Request& request, manifest::Writer& manifest)
 {
 	const MappedText file(request.file);
 	const MrcHeader header(file.text());
@@ -64,7 +67,7 @@ void readMrc(const Request& request, ManifestWriter& manifest)
 	std::vector<double> times;
 	for (std::uint32_t volume = 0; header.volumes() > 1 && volume < header.volumes(); ++volume)
 		times.push_back(volume);
-	const auto volume = static_cast<std::uint64_t>(chooseIfAny(times, request).value_or(0.0));
+	const auto volume = static_cast<std::uint64_t>(manifest::chooseIfAny(times, request).value_or(0.0));
 	std::string unpacked;
 	std::string_view wanted = values.substr(volume * bytes, bytes);
 	if (header.isPacked())
@@ -72,12 +75,12 @@ void readMrc(const Request& request, ManifestWriter& manifest)
 	const MrcHeader::Place place = header.place();
 	vtkNew<vtkMatrix3x3> direction;
 	direction->DeepCopy(place.direction.data());
-	const bool may_stay = !header.isPacked() && !header.isHalf() && isAxisAligned(direction);
-	auto density = may_stay ? arrayInFile(request, file, wanted, header.layout(), "density")
-	                        : arrayOf(wanted, header.layout(), "density");
+	const bool may_stay = !header.isPacked() && !header.isHalf() && cells::isAxisAligned(direction);
+	auto density = may_stay ? arrays::arrayInFile(request, file, wanted, header.layout(), "density")
+	                        : arrays::arrayOf(wanted, header.layout(), "density");
 	if (header.isHalf())
 		density = floatsOfHalfs(density);
-	const auto image = imageOf(density, header.layout().points);
+	const auto image = arrays::imageOf(density, header.layout().points);
 	image->SetSpacing(place.spacing.data());
 	image->SetOrigin(place.origin.data());
 	image->SetDirectionMatrix(direction);
@@ -88,3 +91,5 @@ void readMrc(const Request& request, ManifestWriter& manifest)
 	if (header.volumes() > 1)
 		manifest.warn(fmt::format("its {} volumes are shown as times, numbered from 0", header.volumes()));
 }
+
+} // namespace vp::reader::volumes

@@ -25,14 +25,17 @@
 #include <cstring>
 #include <numeric>
 
-using vp::grid::NumberType;
+namespace vp::reader::volumes
+{
+
+using grid::NumberType;
 
 namespace
 {
 
 // Which step of the file is asked for; its times are offered.
-std::size_t chooseStepOf(const NetcdfFile& file, const CfVolumes& volumes, const Request& request,
-                         ManifestWriter& manifest)
+std::size_t chooseStepOf(const hdf5::NetcdfFile& file, const CfVolumes& volumes, const Request& request,
+                         manifest::Writer& manifest)
 {
 	std::vector<double> times(volumes.time ? volumes.time->length : 0);
 	std::iota(times.begin(), times.end(), 0.0); // where the dimension has no values of its own
@@ -46,7 +49,7 @@ std::size_t chooseStepOf(const NetcdfFile& file, const CfVolumes& volumes, const
 		times = of_wrf.minutes;
 		manifest.setTimeUnits("minutes since " + of_wrf.first);
 	}
-	return offerSteps(times, request, manifest).value_or(0);
+	return manifest::offerSteps(times, request, manifest).value_or(0);
 }
 
 template <std::size_t Width>
@@ -117,26 +120,26 @@ vtkSmartPointer<vtkDataArray> atMiddles(vtkDataArray* sides, std::array<std::siz
 }
 
 // Returns an array whose values stay in the file, or null if they cannot.
-vtkSmartPointer<vtkDataArray> arrayLeft(const NetcdfFile& file, const CfVolume& volume, const CfSlab& slab,
+vtkSmartPointer<vtkDataArray> arrayLeft(const hdf5::NetcdfFile& file, const CfVolume& volume, const CfSlab& slab,
                                         const std::array<std::size_t, 3>& lengths, const Request& request)
 {
 	const auto [x, y, z] = volume.sides;
 	const std::size_t sides = slab.counts.size();
-	const std::optional<NumberType> type = numberTypeOfVtk(cfTypeOf(file, volume.variable));
+	const std::optional<NumberType> type = arrays::numberTypeOfVtk(cfTypeOf(file, volume.variable));
 	const bool is_last = x + 1 == sides && y + 2 == sides && z + 3 == sides;
 	if (!type || !is_last || volume.staggered || !cfIsPlain(file, volume.variable))
 		return nullptr;
-	ValueLayout layout{{}, 1, *type};
+	arrays::ValueLayout layout{{}, 1, *type};
 	for (std::size_t axis = 0; axis < 3; ++axis)
 		layout.points[axis] = static_cast<std::uint32_t>(lengths[axis]);
 	const std::vector<std::size_t> front(slab.starts.begin(), slab.starts.end() - 3);
-	std::optional<StoredPlace> place =
+	std::optional<arrays::StoredPlace> place =
 	    request.leaves(layout.byteCount()) ? file.storedPlace(volume.variable, front) : std::nullopt;
-	return place ? storedArray(layout, volume.name, std::move(*place)) : nullptr;
+	return place ? arrays::storedArray(layout, volume.name, std::move(*place)) : nullptr;
 }
 
-vtkSmartPointer<vtkDataArray> arrayOfVolume(const NetcdfFile& file, const CfVolumes& volumes, const CfVolume& volume,
-                                            std::size_t step, const Request& request)
+vtkSmartPointer<vtkDataArray> arrayOfVolume(const hdf5::NetcdfFile& file, const CfVolumes& volumes,
+                                            const CfVolume& volume, std::size_t step, const Request& request)
 {
 	CfSlab slab = CfSlab::of(file, volume.variable);
 	if (volume.time)
@@ -155,7 +158,7 @@ vtkSmartPointer<vtkDataArray> arrayOfVolume(const NetcdfFile& file, const CfVolu
 	return array;
 }
 
-void readByConventions(const NetcdfFile& file, const Request& request, ManifestWriter& manifest)
+void readByConventions(const hdf5::NetcdfFile& file, const Request& request, manifest::Writer& manifest)
 {
 	const CfVolumes volumes = cfVolumes(file);
 	for (const std::string& note : volumes.notes)
@@ -181,14 +184,14 @@ void readByConventions(const NetcdfFile& file, const Request& request, ManifestW
 
 } // namespace
 
-void readNetcdf(const Request& request, ManifestWriter& manifest)
+void readNetcdf(const Request& request, manifest::Writer& manifest)
 {
-	refuseShortNetcdf(request.file);
-	refuseMissingParts(request.file);
-	readByConventions(NetcdfFile(request.file), request, manifest);
+	checks::refuseShortNetcdf(request.file);
+	hdf5::refuseMissingParts(request.file);
+	readByConventions(hdf5::NetcdfFile(request.file), request, manifest);
 }
 
-void readZarr(const Request& request, ManifestWriter& manifest)
+void readZarr(const Request& request, manifest::Writer& manifest)
 {
 	const ZarrGroup group = ZarrGroup::of(request.file);
 	if (const auto image = OmeZarr::of(group))
@@ -197,3 +200,5 @@ void readZarr(const Request& request, ManifestWriter& manifest)
 	manifest.setImaging({.labels = file.hasLabels()});
 	readByConventions(file, request, manifest);
 }
+
+} // namespace vp::reader::volumes

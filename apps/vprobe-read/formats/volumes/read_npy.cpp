@@ -17,6 +17,9 @@
 #include <algorithm>
 #include <filesystem>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -39,7 +42,7 @@ std::optional<NpyArray> parseMember(std::string_view bytes, std::string& why)
 
 } // namespace
 
-void readNpy(const Request& request, ManifestWriter& manifest)
+void readNpy(const Request& request, manifest::Writer& manifest)
 {
 	const MappedText file(request.file);
 	const std::optional<NpyArray> array = parseNpy(file.text(), request.is_slice);
@@ -47,11 +50,12 @@ void readNpy(const Request& request, ManifestWriter& manifest)
 		throw Refusal("nothing to slice: an array without three axes");
 	const std::string name = std::filesystem::path(request.file).stem().string();
 	manifest.setImaging({"rows-down"});
-	manifest.addLone(imageOf(arrayInFile(request, file, array->values, array->layout, name), array->layout.points));
+	manifest.addLone(
+	    arrays::imageOf(arrays::arrayInFile(request, file, array->values, array->layout, name), array->layout.points));
 }
 
 // Volumes of one shape are arrays of one block.
-void readNpz(const Request& request, ManifestWriter& manifest)
+void readNpz(const Request& request, manifest::Writer& manifest)
 {
 	const MappedText file(request.file);
 	vtkSmartPointer<vtkImageData> image;
@@ -71,15 +75,17 @@ void readNpz(const Request& request, ManifestWriter& manifest)
 			continue;
 		}
 		if (image)
-			name = ownName(image->GetPointData(), name, manifest);
-		const auto values = arrayOf(array->values, array->layout, name);
+			name = manifest::ownName(image->GetPointData(), name, manifest);
+		const auto values = arrays::arrayOf(array->values, array->layout, name);
 		if (image)
 			image->GetPointData()->AddArray(values);
 		else
-			image = imageOf(values, points = array->layout.points);
+			image = arrays::imageOf(values, points = array->layout.points);
 	}
 	if (!image)
 		throw Refusal("nothing to slice: no array with three axes");
 	manifest.setImaging({"rows-down"});
 	manifest.addLone(image);
 }
+
+} // namespace vp::reader::volumes

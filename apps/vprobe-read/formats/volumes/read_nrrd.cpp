@@ -24,7 +24,10 @@
 #include <set>
 #include <utility>
 
-using vp::grid::NumberType;
+namespace vp::reader::volumes
+{
+
+using grid::NumberType;
 
 namespace
 {
@@ -108,7 +111,7 @@ void takeText(Nrrd& nrrd, const std::string& file)
 	const std::optional<std::string> text = nrrdText(file);
 	if (!text)
 		return;
-	parseText(*text, typeOfNrrd(nrrd.type), nrrdElementNumber(&nrrd), nrrd.data);
+	arrays::parseText(*text, typeOfNrrd(nrrd.type), nrrdElementNumber(&nrrd), nrrd.data);
 }
 
 NrrdPointer loadNrrd(const std::string& file)
@@ -141,9 +144,9 @@ void addFlatAxis(NrrdPointer& nrrd)
 	nrrd = std::move(with_axis);
 }
 
-ValueLayout layoutOf(const Nrrd& nrrd, const NrrdAxes& axes)
+arrays::ValueLayout layoutOf(const Nrrd& nrrd, const NrrdAxes& axes)
 {
-	ValueLayout layout;
+	arrays::ValueLayout layout;
 	layout.type = typeOfNrrd(nrrd.type);
 	for (std::size_t a = 0; a < 3; ++a)
 	{
@@ -182,7 +185,7 @@ std::vector<std::pair<double, std::string>> segmentNames(Nrrd& nrrd)
 	for (int segment = 0; nrrdKey(nrrd, fmt::format("Segment{}_ID", segment)); ++segment)
 	{
 		const auto value = nrrdKey(nrrd, fmt::format("Segment{}_LabelValue", segment));
-		const std::optional<double> number = value ? vp::parseReal(*value) : std::nullopt;
+		const std::optional<double> number = value ? parseReal(*value) : std::nullopt;
 		const auto name = nrrdKey(nrrd, fmt::format("Segment{}_Name", segment));
 		if (!number || !std::isfinite(*number))
 			continue;
@@ -196,20 +199,20 @@ std::vector<std::pair<double, std::string>> segmentNames(Nrrd& nrrd)
 
 } // namespace
 
-void readNrrd(const Request& request, ManifestWriter& manifest)
+void readNrrd(const Request& request, manifest::Writer& manifest)
 {
 	NrrdPointer nrrd = loadNrrd(request.file);
 	if (request.is_slice)
 		addFlatAxis(nrrd);
 	NrrdAxes axes = nrrdAxes(*nrrd);
 	orderAxes(nrrd, axes);
-	const ValueLayout layout = layoutOf(*nrrd, axes);
-	StepsInTime times = stepsInTime(nrrdTimes(*nrrd, axes), manifest);
-	chooseIfAny(times.times, request);
-	const std::size_t step = times.times.empty() ? 0 : times.steps[chooseStep(times.times, request)];
+	const arrays::ValueLayout layout = layoutOf(*nrrd, axes);
+	manifest::StepsInTime times = manifest::stepsInTime(nrrdTimes(*nrrd, axes), manifest);
+	manifest::chooseIfAny(times.times, request);
+	const std::size_t step = times.times.empty() ? 0 : times.steps[manifest::chooseStep(times.times, request)];
 
 	const std::string name = nrrd->content && *nrrd->content ? nrrd->content : "NRRD";
-	const auto values = emptyArray(layout, name, times.times.empty() ? Room::none : Room::made);
+	const auto values = arrays::emptyArray(layout, name, times.times.empty() ? arrays::Room::none : arrays::Room::made);
 	if (times.times.empty())
 		// From now on they belong to the array, which may be kept for longer. teem has them from malloc().
 		values->SetVoidArray(std::exchange(nrrd->data, nullptr), static_cast<vtkIdType>(layout.valueCount()), 0,
@@ -217,7 +220,7 @@ void readNrrd(const Request& request, ManifestWriter& manifest)
 	else
 		std::copy_n(static_cast<const char*>(nrrd->data) + step * layout.byteCount(), layout.byteCount(),
 		            static_cast<char*>(values->GetVoidPointer(0)));
-	const auto image = imageOf(values, layout.points);
+	const auto image = arrays::imageOf(values, layout.points);
 	const NrrdPlace place = nrrdPlace(*nrrd, axes);
 	image->SetOrigin(place.origin.data());
 	image->SetSpacing(place.spacing.data());
@@ -230,3 +233,5 @@ void readNrrd(const Request& request, ManifestWriter& manifest)
 	manifest.addLone(image);
 	manifest.offerTimes(std::move(times.times));
 }
+
+} // namespace vp::reader::volumes

@@ -17,7 +17,10 @@
 
 #include <set>
 
-using vp::grid::NumberType;
+namespace vp::reader::volumes
+{
+
+using grid::NumberType;
 
 namespace
 {
@@ -46,7 +49,7 @@ NumberType numberTypeOf(const ZarrType& type, const std::string& name)
 }
 
 // Spacing and origin of x, y and z in one unit.
-void placeImage(const OmeZarr& image, const OmeZarr::Level& level, vtkImageData& data, ManifestWriter& manifest)
+void placeImage(const OmeZarr& image, const OmeZarr::Level& level, vtkImageData& data, manifest::Writer& manifest)
 {
 	std::array<double, 3> spacing{1.0, 1.0, 1.0}, origin{};
 	std::array<std::string, 3> units;
@@ -59,9 +62,9 @@ void placeImage(const OmeZarr& image, const OmeZarr::Level& level, vtkImageData&
 	}
 	if (image.spaceAxes() == 2)
 		units[2] = units[0];
-	const OneLengthUnit one = oneLengthUnit(units);
+	const text::OneLengthUnit one = text::oneLengthUnit(units);
 	if (one.differ)
-		manifest.warn(unitsDiffer(units));
+		manifest.warn(text::unitsDiffer(units));
 	for (std::size_t axis = 0; axis < 3; ++axis)
 	{
 		spacing[axis] *= one.factors[axis];
@@ -72,7 +75,7 @@ void placeImage(const OmeZarr& image, const OmeZarr::Level& level, vtkImageData&
 	manifest.setLengthUnits(one.sign);
 }
 
-std::size_t chooseTime(const OmeZarr& image, const ZarrArray& array, const Request& request, ManifestWriter& manifest)
+std::size_t chooseTime(const OmeZarr& image, const ZarrArray& array, const Request& request, manifest::Writer& manifest)
 {
 	const std::optional<std::size_t> axis = image.axisOf("time");
 	std::vector<double> times;
@@ -82,7 +85,7 @@ std::size_t chooseTime(const OmeZarr& image, const ZarrArray& array, const Reque
 			                image.levels[0].scale[*axis] * static_cast<double>(step));
 	if (axis)
 		manifest.setTimeUnits(image.axes[*axis].unit);
-	return offerSteps(times, request, manifest).value_or(0);
+	return manifest::offerSteps(times, request, manifest).value_or(0);
 }
 
 // Labels where each channel has one of its own.
@@ -97,26 +100,28 @@ std::vector<std::string> namesOfChannels(const OmeZarr& image, std::size_t count
 	return names;
 }
 
-vtkSmartPointer<vtkDataArray> arrayAt(const ZarrArray& array, const ValueLayout& layout, const std::string& name,
-                                      const std::vector<std::size_t>& front, const Request& request)
+vtkSmartPointer<vtkDataArray> arrayAt(const ZarrArray& array, const arrays::ValueLayout& layout,
+                                      const std::string& name, const std::vector<std::size_t>& front,
+                                      const Request& request)
 {
-	std::optional<StoredPlace> place = request.leaves(layout.byteCount()) ? array.storedPlace(front) : std::nullopt;
+	std::optional<arrays::StoredPlace> place =
+	    request.leaves(layout.byteCount()) ? array.storedPlace(front) : std::nullopt;
 	if (place)
-		return storedArray(layout, name, std::move(*place));
+		return arrays::storedArray(layout, name, std::move(*place));
 	std::vector<std::size_t> starts = front, counts(front.size(), 1);
 	for (std::size_t side = front.size(); side < array.shape().size(); ++side)
 	{
 		starts.push_back(0);
 		counts.push_back(array.shape()[side]);
 	}
-	auto values = emptyArray(layout, name);
+	auto values = arrays::emptyArray(layout, name);
 	array.read(starts, counts, static_cast<std::byte*>(values->GetVoidPointer(0)));
 	return values;
 }
 
 } // namespace
 
-void readOmeZarr(const OmeZarr& image, const Request& request, ManifestWriter& manifest)
+void readOmeZarr(const OmeZarr& image, const Request& request, manifest::Writer& manifest)
 {
 	manifest.offerLevels(image.levels.size());
 	manifest.refuseOtherLevel(request.level);
@@ -129,7 +134,7 @@ void readOmeZarr(const OmeZarr& image, const Request& request, ManifestWriter& m
 	const std::size_t sides = array.shape().size(), space = image.spaceAxes();
 	if (sides != image.axes.size())
 		throw damaged(fmt::format("its level {} has {} sides and {} axes", level.path, sides, image.axes.size()));
-	ValueLayout layout{{1, 1, 1}, 1, numberTypeOf(array.type(), level.path)};
+	arrays::ValueLayout layout{{1, 1, 1}, 1, numberTypeOf(array.type(), level.path)};
 	for (std::size_t axis = 0; axis < space; ++axis)
 		if (const std::size_t side = array.shape()[sides - 1 - axis]; side < std::size_t(1) << 31)
 			layout.points[axis] = static_cast<std::uint32_t>(side);
@@ -154,16 +159,18 @@ void readOmeZarr(const OmeZarr& image, const Request& request, ManifestWriter& m
 		if (data)
 			data->GetPointData()->AddArray(values);
 		else
-			data = imageOf(values, layout.points);
+			data = arrays::imageOf(values, layout.points);
 	}
 	if (!data)
 		throw Refusal(fmt::format("its level {} has no values", level.path));
 	placeImage(image, level, *data, manifest);
 	if (image.images > 1)
 		manifest.warn(fmt::format("it has {} images; the first is shown", image.images));
-	vp::grid::Imaging imaging{"rows-down", !image.labels, image.labels};
+	grid::Imaging imaging{"rows-down", !image.labels, image.labels};
 	if (names.size() == 1)
 		imaging.window = image.window;
 	manifest.setImaging(imaging);
 	manifest.addLone(data);
 }
+
+} // namespace vp::reader::volumes

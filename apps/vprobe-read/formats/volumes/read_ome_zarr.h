@@ -3,6 +3,14 @@
 #include "ome_zarr.h"
 #include "vprobe-read/base/request.h"
 
-class ManifestWriter;
+namespace vp::reader::manifest
+{
+class Writer;
+}
 
-void readOmeZarr(const OmeZarr& image, const Request& request, ManifestWriter& manifest);
+namespace vp::reader::volumes
+{
+
+void readOmeZarr(const OmeZarr& image, const Request& request, manifest::Writer& manifest);
+
+} // namespace vp::reader::volumes

@@ -15,12 +15,15 @@
 #include <algorithm>
 #include <optional>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
 // Where parts are asked for, the values of others are not touched.
-void addVolume(const Request& request, const MappedText& file, std::string_view values, ValueLayout layout,
-               const vp::Vec3& spacing, ManifestWriter& manifest)
+void addVolume(const Request& request, const MappedText& file, std::string_view values, arrays::ValueLayout layout,
+               const Vec3& spacing, manifest::Writer& manifest)
 {
 	const bool splits = manifest.parts().splits() && std::ranges::all_of(layout.points, [](auto n) { return n > 1; });
 	const std::uint64_t plane = std::uint64_t(layout.points[0]) * layout.points[1];
@@ -38,7 +41,7 @@ void addVolume(const Request& request, const MappedText& file, std::string_view 
 	}
 	if (!request.leaves(values.size()))
 		countMapped(values.size());
-	const auto image = imageOf(arrayInFile(request, file, values, layout, "values"), layout.points);
+	const auto image = arrays::imageOf(arrays::arrayInFile(request, file, values, layout, "values"), layout.points);
 	image->SetSpacing(spacing.x, spacing.y, spacing.z);
 	if (!splits)
 		return manifest.add(image);
@@ -51,17 +54,19 @@ void addVolume(const Request& request, const MappedText& file, std::string_view 
 
 } // namespace
 
-void readRaw(const Request& request, ManifestWriter& manifest)
+void readRaw(const Request& request, manifest::Writer& manifest)
 {
-	const auto given = vp::read::parseRaw(request.raw);
+	const auto given = read::parseRaw(request.raw);
 	if (!given || given->size[0] == 0)
 		throw Refusal("a raw volume does not say how large it is; add --raw-size NXxNYxNZ");
-	const ValueLayout layout{given->size, 1, given->type, given->is_big_endian};
+	const arrays::ValueLayout layout{given->size, 1, given->type, given->is_big_endian};
 	const MappedText file(request.file);
 	const std::uint64_t bytes = layout.byteCount();
 	if (file.text().size() < bytes)
 		throw damaged(fmt::format("{} bytes where {} values of {} take {}", file.text().size(),
-		                          vp::read::rawSizeText(given->size), vp::read::rawTypeText(given->type), bytes));
+		                          read::rawSizeText(given->size), read::rawTypeText(given->type), bytes));
 	// Headers stand before the values.
 	addVolume(request, file, file.text().substr(file.text().size() - bytes), layout, given->spacing, manifest);
 }
+
+} // namespace vp::reader::volumes

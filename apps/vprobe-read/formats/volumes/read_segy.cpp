@@ -21,6 +21,9 @@
 #include <cmath>
 #include <limits>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -181,7 +184,7 @@ vtkSmartPointer<vtkStructuredGrid> segyGrid(const SegyFile& file, const SegySurv
 
 } // namespace
 
-void readSegy(const Request& request, ManifestWriter& manifest)
+void readSegy(const Request& request, manifest::Writer& manifest)
 {
 	const MappedText mapped(request.file);
 	const SegyFile file(mapped.text());
@@ -198,3 +201,5 @@ void readSegy(const Request& request, ManifestWriter& manifest)
 		manifest.warn(file.note());
 	manifest.add(segyGrid(file, survey, plane));
 }
+
+} // namespace vp::reader::volumes

@@ -14,6 +14,9 @@
 #include <array>
 #include <cmath>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -45,7 +48,7 @@ void unpackSlcPlane(std::string_view packed, std::uint64_t wanted, std::string& 
 }
 
 // "NUMBER X", and the byte after the X.
-std::string_view takeSlcBytes(TextCursor& at, std::string_view file, std::int64_t count)
+std::string_view takeSlcBytes(text::Cursor& at, std::string_view file, std::int64_t count)
 {
 	const std::size_t start = at.place();
 	if (count < 0 || static_cast<std::uint64_t>(count) > file.size() - start)
@@ -54,7 +57,7 @@ std::string_view takeSlcBytes(TextCursor& at, std::string_view file, std::int64_
 	return file.substr(start, static_cast<std::size_t>(count));
 }
 
-void passSlcMark(TextCursor& at, std::string_view file)
+void passSlcMark(text::Cursor& at, std::string_view file)
 {
 	while (at.place() < file.size() && (file[at.place()] == ' ' || file[at.place()] == '\n'))
 		at.moveTo(at.place() + 1);
@@ -64,12 +67,12 @@ void passSlcMark(TextCursor& at, std::string_view file)
 
 } // namespace
 
-void readSlc(const Request& request, ManifestWriter& manifest)
+void readSlc(const Request& request, manifest::Writer& manifest)
 {
 	const MappedText file(request.file);
-	TextCursor at(file.text());
+	text::Cursor at(file.text());
 	at.integer(); // 11111
-	ValueLayout layout;
+	arrays::ValueLayout layout;
 	for (std::uint32_t& side : layout.points)
 	{
 		const std::int64_t points = at.integer();
@@ -111,9 +114,11 @@ void readSlc(const Request& request, ManifestWriter& manifest)
 			passSlcMark(at, file.text());
 			unpackSlcPlane(takeSlcBytes(at, file.text(), bytes), plane, values);
 		}
-	const auto image = imageOf(arrayOf(values, layout, "SLCImage"), layout.points);
+	const auto image = arrays::imageOf(arrays::arrayOf(values, layout, "SLCImage"), layout.points);
 	image->SetSpacing(spacing.data());
 	if (units >= 0 && units < static_cast<std::int64_t>(kSlcUnits.size()))
 		manifest.setLengthUnits(kSlcUnits[static_cast<std::size_t>(units)]);
 	manifest.addLone(image);
 }
+
+} // namespace vp::reader::volumes

@@ -21,6 +21,9 @@
 #include <filesystem>
 #include <optional>
 
+namespace vp::reader::volumes
+{
+
 namespace fs = std::filesystem;
 
 namespace
@@ -40,7 +43,7 @@ std::string fileNameOf(const std::string& file)
 // One picture, rows from the top.
 struct SlicePicture
 {
-	ValueLayout values;
+	arrays::ValueLayout values;
 	std::optional<TiffPages> pages{}; // if it is a TIFF file
 	vtkSmartPointer<vtkImageData> image{};
 };
@@ -74,8 +77,7 @@ SlicePicture pngSlice(const std::string& file)
 		throw damaged(fmt::format("{} holds no picture", fileNameOf(file)));
 	slice.values = {{static_cast<std::uint32_t>(size[0]), static_cast<std::uint32_t>(size[1]), 1},
 	                static_cast<std::uint32_t>(values->GetNumberOfComponents()),
-	                values->GetDataType() == VTK_UNSIGNED_SHORT ? vp::grid::NumberType::uint16
-	                                                            : vp::grid::NumberType::uint8};
+	                values->GetDataType() == VTK_UNSIGNED_SHORT ? grid::NumberType::uint16 : grid::NumberType::uint8};
 	return slice;
 }
 
@@ -104,7 +106,7 @@ std::optional<std::uint64_t> numberOf(const std::string& file)
 }
 
 // A slice that is not there is told: its neighbors are shown one beside the other.
-void tellOfGaps(const std::vector<std::string>& files, ManifestWriter& manifest)
+void tellOfGaps(const std::vector<std::string>& files, manifest::Writer& manifest)
 {
 	for (std::size_t i = 1; i < files.size(); ++i)
 	{
@@ -120,7 +122,7 @@ void tellOfGaps(const std::vector<std::string>& files, ManifestWriter& manifest)
 }
 
 // Takes the distances of the values from the first TIFF file.
-void placeImage(const std::string& first, vtkImageData* image, ManifestWriter& manifest)
+void placeImage(const std::string& first, vtkImageData* image, manifest::Writer& manifest)
 {
 	if (isPngFile(first))
 		return;
@@ -142,9 +144,9 @@ void placeImage(const std::string& first, vtkImageData* image, ManifestWriter& m
 
 } // namespace
 
-void readSlices(const Request& request, ManifestWriter& manifest)
+void readSlices(const Request& request, manifest::Writer& manifest)
 {
-	const std::vector<std::string> files = request.slices.empty() ? sliceFiles(request.file) : request.slices;
+	const std::vector<std::string> files = request.slices.empty() ? checks::sliceFiles(request.file) : request.slices;
 	if (files.empty())
 		throw Refusal("no TIFF or PNG file is there; check the folder or the pattern");
 	const bool are_png = isPngFile(files.front());
@@ -154,15 +156,15 @@ void readSlices(const Request& request, ManifestWriter& manifest)
 	if (files.size() < 2)
 		throw Refusal("nothing to slice: it holds one picture; a volume has two slices or more");
 	const auto open = [&](const std::string& file) { return are_png ? pngSlice(file) : tiffSlice(file); };
-	ValueLayout volume = open(files.front()).values;
+	arrays::ValueLayout volume = open(files.front()).values;
 	const std::uint64_t bytes = volume.byteCount();
 	volume.points[2] = static_cast<std::uint32_t>(files.size());
-	const auto array = emptyArray(volume, "values");
+	const auto array = arrays::emptyArray(volume, "values");
 	auto* to = static_cast<char*>(array->GetVoidPointer(0));
 	for (std::size_t i = 0; i < files.size(); ++i)
 	{
 		SlicePicture slice = open(files[i]);
-		const ValueLayout& values = slice.values;
+		const arrays::ValueLayout& values = slice.values;
 		if (values.points[0] != volume.points[0] || values.points[1] != volume.points[1] ||
 		    values.components != volume.components || values.type != volume.type)
 			throw Refusal(fmt::format("{} has another size or type than {}; keep the slices of one volume together",
@@ -170,8 +172,10 @@ void readSlices(const Request& request, ManifestWriter& manifest)
 		copyRows(slice, to + i * bytes);
 	}
 	tellOfGaps(files, manifest);
-	const vtkSmartPointer<vtkImageData> image = imageOf(array, volume.points);
+	const vtkSmartPointer<vtkImageData> image = arrays::imageOf(array, volume.points);
 	placeImage(files.front(), image, manifest);
 	manifest.setImaging({"rows-down", true});
 	manifest.addLone(image);
 }
+
+} // namespace vp::reader::volumes

@@ -20,6 +20,9 @@
 #include <cmath>
 #include <filesystem>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -33,13 +36,13 @@ struct FlatPicture
 	std::array<double, 3> first{}; // place of its first value along its own axes
 };
 
-FlatPicture readPicture(const Request& request, const std::string& file, ManifestWriter& manifest)
+FlatPicture readPicture(const Request& request, const std::string& file, manifest::Writer& manifest)
 {
 	Request alone = request;
 	alone.file = file;
 	alone.slices.clear();
 	alone.is_slice = true;
-	const auto found = manifest.collect([&] { readAnyFormat(alone, manifest); });
+	const auto found = manifest.collect([&] { formats::readAnyFormat(alone, manifest); });
 	FlatPicture picture{std::filesystem::path(file).filename().string(),
 	                    found.size() == 1 ? vtkImageData::SafeDownCast(found[0]) : nullptr};
 	if (!picture.image)
@@ -122,7 +125,7 @@ SlicePlaces sortByPlace(std::vector<FlatPicture>& pictures)
 }
 
 // Adds the point arrays that all pictures have, one behind the other.
-void addArrays(const std::vector<FlatPicture>& pictures, vtkDataSet* volume, ManifestWriter& manifest)
+void addArrays(const std::vector<FlatPicture>& pictures, vtkDataSet* volume, manifest::Writer& manifest)
 {
 	vtkPointData* first = pictures.front().image->GetPointData();
 	for (int number = 0; number < first->GetNumberOfArrays(); ++number)
@@ -199,7 +202,7 @@ vtkSmartPointer<vtkDataSet> volumeOf(vtkImageData* picture, const SlicePlaces& s
 
 } // namespace
 
-void readStack(const Request& request, ManifestWriter& manifest)
+void readStack(const Request& request, manifest::Writer& manifest)
 {
 	std::vector<FlatPicture> pictures;
 	for (const std::string& file : request.slices)
@@ -215,3 +218,5 @@ void readStack(const Request& request, ManifestWriter& manifest)
 	manifest.offerTimes({});
 	manifest.addLone(volume);
 }
+
+} // namespace vp::reader::volumes

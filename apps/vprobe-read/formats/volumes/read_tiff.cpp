@@ -21,6 +21,9 @@
 #include <numeric>
 #include <optional>
 
+namespace vp::reader::volumes
+{
+
 namespace fs = std::filesystem;
 
 namespace
@@ -147,7 +150,10 @@ public:
 			    fmt::format("it has {} pages where its description asks for {}", alike_.size(), layout.planes()));
 	}
 
-	ValueLayout values() const { return {{kind_.width, kind_.height, layout_.slices}, kind_.samples, kind_.type()}; }
+	arrays::ValueLayout values() const
+	{
+		return {{kind_.width, kind_.height, layout_.slices}, kind_.samples, kind_.type()};
+	}
 	void readPlane(std::uint32_t channel, std::uint32_t slice, std::uint32_t time, char* to)
 	{
 		const std::uint64_t plane = layout_.planeOf(channel, slice, time);
@@ -194,7 +200,7 @@ vtkSmartPointer<vtkDataArray> calibrated(vtkSmartPointer<vtkDataArray> values, c
 	return scaled;
 }
 
-void tellOfOthers(const TiffLayout& layout, const TiffPages& pages, std::size_t alike, ManifestWriter& manifest)
+void tellOfOthers(const TiffLayout& layout, const TiffPages& pages, std::size_t alike, manifest::Writer& manifest)
 {
 	if (layout.counts_previews)
 		return;
@@ -206,7 +212,7 @@ void tellOfOthers(const TiffLayout& layout, const TiffPages& pages, std::size_t 
 
 } // namespace
 
-void readTiff(const Request& request, ManifestWriter& manifest)
+void readTiff(const Request& request, manifest::Writer& manifest)
 {
 	TiffLayout layout;
 	TiffFiles files(request.file, layout.files);
@@ -223,18 +229,18 @@ void readTiff(const Request& request, ManifestWriter& manifest)
 	}
 	for (const std::string& note : layout.notes)
 		manifest.warn(note);
-	StepsInTime times = stepsInTime(layout.time_values, manifest);
-	chooseIfAny(times.times, request);
+	manifest::StepsInTime times = manifest::stepsInTime(layout.time_values, manifest);
+	manifest::chooseIfAny(times.times, request);
 	const auto step =
-	    static_cast<std::uint32_t>(times.times.empty() ? 0 : times.steps[chooseStep(times.times, request)]);
+	    static_cast<std::uint32_t>(times.times.empty() ? 0 : times.steps[manifest::chooseStep(times.times, request)]);
 
 	TiffVolume volume(layout, files, std::move(alike), step);
-	const ValueLayout values = volume.values();
+	const arrays::ValueLayout values = volume.values();
 	const std::uint64_t page_bytes = values.byteCount() / layout.slices;
 	vtkSmartPointer<vtkImageData> image;
 	for (std::uint32_t channel = 0; channel < layout.channels; ++channel)
 	{
-		auto array = emptyArray(values, layout.channels > 1 ? fmt::format("channel {}", channel) : "values");
+		auto array = arrays::emptyArray(values, layout.channels > 1 ? fmt::format("channel {}", channel) : "values");
 		char* to = static_cast<char*>(array->GetVoidPointer(0));
 		for (std::uint32_t slice = 0; slice < layout.slices; ++slice)
 			volume.readPlane(channel, slice, step, to + slice * page_bytes);
@@ -242,7 +248,7 @@ void readTiff(const Request& request, ManifestWriter& manifest)
 		if (image)
 			image->GetPointData()->AddArray(array);
 		else
-			image = imageOf(array, values.points);
+			image = arrays::imageOf(array, values.points);
 	}
 	image->SetSpacing(layout.spacing.data());
 	image->SetOrigin(layout.origin.data());
@@ -252,3 +258,5 @@ void readTiff(const Request& request, ManifestWriter& manifest)
 	manifest.addLone(image);
 	manifest.offerTimes(std::move(times.times));
 }
+
+} // namespace vp::reader::volumes

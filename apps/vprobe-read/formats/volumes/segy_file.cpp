@@ -5,11 +5,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
-#include <cstring>
+
+namespace vp::reader::volumes
+{
 
 namespace
 {
@@ -28,18 +27,17 @@ float ibmFloat(std::uint32_t bits)
 
 } // namespace
 
+const char* SegyFile::bytesAt(std::size_t at, std::size_t count) const
+{
+	if (at > bytes_.size() || bytes_.size() - at < count)
+		throw damaged("it ends within a trace");
+	return bytes_.data() + at;
+}
+
 template <class Number>
 Number SegyFile::number(std::size_t at) const
 {
-	std::array<char, sizeof(Number)> bytes;
-	if (at > bytes_.size() || bytes_.size() - at < bytes.size())
-		throw damaged("it ends within a trace");
-	std::memcpy(bytes.data(), bytes_.data() + at, bytes.size());
-	if (!little_)
-		std::reverse(bytes.begin(), bytes.end());
-	Number value;
-	std::memcpy(&value, bytes.data(), bytes.size());
-	return value;
+	return numberAt<Number>(bytesAt(at, sizeof(Number)), order_);
 }
 
 // Revision 2 may have little endian numbers.
@@ -52,7 +50,7 @@ void SegyFile::chooseOrder()
 	};
 	if (is_format())
 		return;
-	little_ = true;
+	order_ = ByteOrder::little;
 	if (!is_format())
 		throw damaged("no code of a format of samples");
 }
@@ -187,10 +185,8 @@ SegyTrace SegyFile::trace(std::size_t index) const
 
 double SegyFile::threeBytes(std::size_t at, bool has_sign) const
 {
-	std::uint32_t value = 0;
-	for (std::size_t i = 0; i < 3; ++i)
-		value = value << 8 | number<std::uint8_t>(little_ ? at + 2 - i : at + i);
-	return has_sign && value >= 1u << 23 ? static_cast<double>(value) - (1 << 24) : value;
+	const auto value = static_cast<double>(integerAt(bytesAt(at, 3), 3, order_));
+	return has_sign && value >= 1 << 23 ? value - (1 << 24) : value;
 }
 
 double SegyFile::sample(std::size_t trace, std::size_t index) const
@@ -225,3 +221,5 @@ double SegyFile::sample(std::size_t trace, std::size_t index) const
 		return number<float>(at);
 	}
 }
+
+} // namespace vp::reader::volumes

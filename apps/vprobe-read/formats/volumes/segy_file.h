@@ -1,9 +1,14 @@
 #pragma once
 
+#include "vprobe-read/base/bytes.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
+
+namespace vp::reader::volumes
+{
 
 // What the header of a trace says.
 struct SegyTrace
@@ -33,6 +38,7 @@ public:
 	bool isDouble() const { return format_ == 2 || format_ == 6 || format_ == 9 || format_ == 10 || format_ == 12; }
 
 private:
+	const char* bytesAt(std::size_t at, std::size_t count) const;
 	template <class Number>
 	Number number(std::size_t at) const;
 	std::size_t placeOf(std::size_t trace) const { return start_ + trace * trace_bytes_; }
@@ -45,7 +51,7 @@ private:
 	double threeBytes(std::size_t at, bool has_sign) const;
 
 	std::string_view bytes_;
-	bool little_ = false;
+	ByteOrder order_ = ByteOrder::big;
 	int format_ = 0;
 	std::size_t width_ = 4;
 	std::size_t samples_ = 0;
@@ -56,3 +62,5 @@ private:
 	bool has_cdp_ = false;
 	std::string note_;
 };
+
+} // namespace vp::reader::volumes

@@ -10,6 +10,9 @@
 #include <algorithm>
 #include <cmath>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -29,7 +32,7 @@ std::string valueOfLine(std::string_view text, std::string_view key)
 
 double finiteOr(const std::string& text, double otherwise)
 {
-	const double value = vp::parseReal(text).value_or(otherwise);
+	const double value = parseReal(text).value_or(otherwise);
 	return std::isfinite(value) ? value : otherwise;
 }
 
@@ -58,10 +61,10 @@ void placeImagej(TiffLayout& layout, const TiffFacts& facts)
 	for (std::size_t axis = 1; axis < 3; ++axis)
 		if (units[axis].empty())
 			units[axis] = units[0];
-	const OneLengthUnit one = oneLengthUnit(units);
+	const text::OneLengthUnit one = text::oneLengthUnit(units);
 	layout.length_units = one.sign;
 	if (one.differ)
-		layout.notes.push_back(unitsDiffer(units));
+		layout.notes.push_back(text::unitsDiffer(units));
 	constexpr std::array origins = {"xorigin", "yorigin", "zorigin"}; // in pixels
 	for (std::size_t axis = 0; axis < 3; ++axis)
 	{
@@ -76,8 +79,8 @@ void calibrate(TiffLayout& layout, std::string_view text)
 	const std::string function = valueOfLine(text, "cf");
 	if (function.empty())
 		return;
-	const auto intercept = vp::parseReal(valueOfLine(text, "c0"));
-	const auto slope = vp::parseReal(valueOfLine(text, "c1"));
+	const auto intercept = parseReal(valueOfLine(text, "c0"));
+	const auto slope = parseReal(valueOfLine(text, "c1"));
 	if (function == "0" && intercept && slope && std::isfinite(*intercept) && std::isfinite(*slope) && *slope != 0.0)
 	{
 		layout.intercept = *intercept;
@@ -134,7 +137,7 @@ TiffLayout shapedLayout(const TiffFacts& facts)
 {
 	TiffLayout layout;
 	layout.slices = static_cast<std::uint32_t>(facts.pages);
-	const auto about = parseJson(facts.description);
+	const auto about = text::parseJson(facts.description);
 	const auto shape = about.is_object() ? about.find("shape") : about.end();
 	if (!about.is_object() || shape == about.end() || !shape->is_array())
 		return layout;
@@ -217,3 +220,5 @@ TiffLayout tiffLayout(const TiffFacts& facts)
 		layout.time_values.push_back(t);
 	return layout;
 }
+
+} // namespace vp::reader::volumes

@@ -7,6 +7,9 @@
 #include <string_view>
 #include <vector>
 
+namespace vp::reader::volumes
+{
+
 // Pages one after the other that hold planes one after the other.
 struct TiffRun
 {
@@ -62,3 +65,5 @@ TiffLayout omeLayout(const TiffFacts& facts);
 
 // The file beside this one that has the OME-XML; empty where the description is complete.
 std::string omeMetadataFile(std::string_view description);
+
+} // namespace vp::reader::volumes

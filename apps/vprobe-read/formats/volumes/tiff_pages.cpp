@@ -1,5 +1,6 @@
 #include "tiff_pages.h"
 
+#include "parts/part_bytes.h"
 #include "vprobe-read/base/mapped_text.h"
 #include "vprobe-read/base/refusal.h"
 
@@ -9,10 +10,14 @@
 #include <cstdarg>
 #include <cstdio>
 #include <filesystem>
+#include <span>
 
 #include <tiffio.h>
 
-using vp::grid::NumberType;
+namespace vp::reader::volumes
+{
+
+using grid::NumberType;
 
 namespace
 {
@@ -276,6 +281,7 @@ void TiffPages::readBehindFirst(std::uint64_t plane, char* to)
 	mapped.text().copy(to, bytes, begin + plane * bytes);
 	const std::size_t width = byteSize(kind(0).type());
 	if (TIFFIsByteSwapped(tiff) && width > 1)
-		for (char* value = to; value < to + bytes; value += width)
-			std::reverse(value, value + width);
+		parts::swapNumbers(std::as_writable_bytes(std::span(to, bytes)), width);
 }
+
+} // namespace vp::reader::volumes

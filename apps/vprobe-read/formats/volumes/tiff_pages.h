@@ -8,6 +8,9 @@
 #include <string>
 #include <vector>
 
+namespace vp::reader::volumes
+{
+
 // How a page of a TIFF file holds its values.
 struct TiffPageKind
 {
@@ -19,7 +22,7 @@ struct TiffPageKind
 
 	bool operator==(const TiffPageKind&) const = default;
 	// Throws a Refusal for types that are not read. Single bits become bytes.
-	vp::grid::NumberType type() const;
+	grid::NumberType type() const;
 	std::uint64_t bytes() const; // of a page that was read
 };
 
@@ -62,3 +65,5 @@ private:
 	void* tiff_ = nullptr;
 	std::vector<Page> pages_;
 };
+
+} // namespace vp::reader::volumes

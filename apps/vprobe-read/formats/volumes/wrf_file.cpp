@@ -7,6 +7,9 @@
 #include <charconv>
 #include <chrono>
 
+namespace vp::reader::volumes
+{
+
 namespace
 {
 
@@ -42,7 +45,8 @@ std::optional<double> minutesOf(std::string_view text)
 }
 
 // All of PH or PHB at a step, with as many layers of sides as there are layers of cells, and one more.
-std::vector<double> geopotential(const NetcdfFile& file, const char* name, const CfVolumes& volumes, std::size_t step)
+std::vector<double> geopotential(const hdf5::NetcdfFile& file, const char* name, const CfVolumes& volumes,
+                                 std::size_t step)
 {
 	const int variable = file.variable(name);
 	const auto sides = variable < 0 ? decltype(file.dimensions(0))() : file.dimensions(variable);
@@ -59,7 +63,7 @@ std::vector<double> geopotential(const NetcdfFile& file, const char* name, const
 
 } // namespace
 
-bool isWrf(const NetcdfFile& file)
+bool isWrf(const hdf5::NetcdfFile& file)
 {
 	return file.length("west_east") > 0 && file.length("south_north") > 0 && file.length("bottom_top") > 0;
 }
@@ -74,7 +78,7 @@ std::string withoutStaggering(const std::string& dimension)
 	return isStaggered(dimension) ? dimension.substr(0, dimension.size() - kStaggered.size()) : dimension;
 }
 
-WrfPlaces wrfPlaces(const NetcdfFile& file)
+WrfPlaces wrfPlaces(const hdf5::NetcdfFile& file)
 {
 	for (const auto& [x, y] : {std::pair{"XLONG", "XLAT"}, {"XLONG_M", "XLAT_M"}})
 		if (const WrfPlaces places{file.variable(x), file.variable(y)}; places.x >= 0 && places.y >= 0)
@@ -82,7 +86,7 @@ WrfPlaces wrfPlaces(const NetcdfFile& file)
 	return {};
 }
 
-WrfTimes wrfTimes(const NetcdfFile& file)
+WrfTimes wrfTimes(const hdf5::NetcdfFile& file)
 {
 	const int variable = file.variable("Times");
 	const auto sides = variable < 0 ? decltype(file.dimensions(0))() : file.dimensions(variable);
@@ -91,7 +95,7 @@ WrfTimes wrfTimes(const NetcdfFile& file)
 	    nc_inq_vartype(file.id(), variable, &type) != NC_NOERR || type != NC_CHAR)
 		return {};
 	std::string text(sides[0].second * sides[1].second, '\0');
-	NetcdfFile::check(nc_get_var_text(file.id(), variable, text.data()));
+	hdf5::NetcdfFile::check(nc_get_var_text(file.id(), variable, text.data()));
 	WrfTimes times;
 	for (std::size_t at = 0; at < text.size(); at += 19)
 	{
@@ -109,7 +113,7 @@ WrfTimes wrfTimes(const NetcdfFile& file)
 	return times;
 }
 
-std::optional<std::vector<double>> wrfHeights(const NetcdfFile& file, const CfVolumes& volumes, std::size_t step)
+std::optional<std::vector<double>> wrfHeights(const hdf5::NetcdfFile& file, const CfVolumes& volumes, std::size_t step)
 {
 	if (!isWrf(file))
 		return std::nullopt;
@@ -125,3 +129,5 @@ std::optional<std::vector<double>> wrfHeights(const NetcdfFile& file, const CfVo
 		middles[i] = 0.5 * (sides[i] + sides[i + layer]);
 	return middles;
 }
+
+} // namespace vp::reader::volumes

@@ -1,6 +1,8 @@
 #include "zarr_array.h"
 
+#include "parts/part_bytes.h"
 #include "vprobe-read/arrays/chunk_codecs.h"
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/bytes_read.h"
 #include "vprobe-read/base/half_float.h"
 #include "vprobe-read/base/mapped_text.h"
@@ -12,6 +14,9 @@
 #include <cstring>
 #include <mutex>
 #include <set>
+
+namespace vp::reader::volumes
+{
 
 using nlohmann::json;
 
@@ -137,7 +142,7 @@ public:
 	void check() const
 	{
 		const auto entries = index_.first(index_.size() - (has_checksum_ ? 4 : 0));
-		if (has_checksum_ && numberAt<std::uint32_t>(entries.size()) != crc32c(entries))
+		if (has_checksum_ && numberAt<std::uint32_t>(index_.data() + entries.size()) != arrays::crc32c(entries))
 			throw damaged(fmt::format("the index of {} has another checksum", where_));
 	}
 	// Returns a chunk by its indices in the shard; nothing if it is not there.
@@ -146,8 +151,8 @@ public:
 		std::size_t number = 0;
 		for (std::size_t i = 0; i < indices.size(); ++i)
 			number = number * per_side_[i] + indices[i];
-		const auto offset = numberAt<std::uint64_t>(number * kEntry);
-		const auto size = numberAt<std::uint64_t>(number * kEntry + 8);
+		const auto offset = numberAt<std::uint64_t>(index_.data() + number * kEntry);
+		const auto size = numberAt<std::uint64_t>(index_.data() + number * kEntry + 8);
 		if (offset == ~std::uint64_t(0) && size == ~std::uint64_t(0))
 			return std::nullopt;
 		if (offset > file_.size() || size > file_.size() - offset)
@@ -157,14 +162,6 @@ public:
 
 private:
 	static constexpr std::size_t kEntry = 16;
-
-	template <class Number>
-	Number numberAt(std::size_t place) const // little-endian, as all machines are that this program runs on
-	{
-		Number number;
-		std::memcpy(&number, index_.data() + place, sizeof(Number));
-		return number;
-	}
 
 	std::span<const std::byte> file_, index_;
 	std::string where_;
@@ -333,8 +330,7 @@ void ZarrArray::read(const Sides& starts, const Sides& counts, std::byte* given)
 	std::vector<std::byte> halves(isHalf() ? 2 * values : 0);
 	std::byte* to = isHalf() ? halves.data() : given;
 	const auto filling = layout_.fill.value_or(std::vector<std::byte>(type.width, std::byte(0xFF))); // NaN
-	for (std::size_t i = 0; i < values; ++i)
-		std::memcpy(to + i * type.width, filling.data(), type.width);
+	parts::fillItems({to, values * type.width}, filling);
 	std::size_t written = 0;
 	if (values > 0)
 		for (const File& file : filesIn(starts, counts))
@@ -342,13 +338,9 @@ void ZarrArray::read(const Sides& starts, const Sides& counts, std::byte* given)
 	if (written < values && !layout_.fill && type.kind != 'f')
 		throw damaged(fmt::format("chunks of {} are missing, and it has no fill_value", name_));
 	if (type.is_big_endian)
-		for (std::size_t i = 0; i < values; ++i)
-			std::reverse(to + i * type.width, to + (i + 1) * type.width);
+		parts::swapNumbers({to, values * type.width}, type.width);
 	for (std::size_t i = 0; isHalf() && i < values; ++i)
-	{
-		std::uint16_t half = 0;
-		std::memcpy(&half, halves.data() + 2 * i, 2);
-		const float number = fromHalf(half);
-		std::memcpy(given + 4 * i, &number, 4);
-	}
+		putNumber(fromHalf(numberAt<std::uint16_t>(halves.data() + 2 * i)), given + 4 * i);
 }
+
+} // namespace vp::reader::volumes

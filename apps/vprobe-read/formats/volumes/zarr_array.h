@@ -12,6 +12,9 @@
 #include <string>
 #include <vector>
 
+namespace vp::reader::volumes
+{
+
 // An array of Zarr: a folder with a file for each chunk, or for each shard of chunks.
 class ZarrArray
 {
@@ -33,7 +36,7 @@ public:
 
 	// Returns the place of a lattice that is the last three sides, at these indices of the others. Its parts are the
 	// chunks. Returns nothing for fewer sides.
-	std::optional<StoredPlace> storedPlace(const std::vector<std::size_t>& front) const;
+	std::optional<arrays::StoredPlace> storedPlace(const std::vector<std::size_t>& front) const;
 	// Reads such a part. Its last three sides are those of a chunk, also where that reaches beyond the array.
 	void readPart(const std::vector<std::size_t>& front, std::uint64_t number, std::span<std::byte> to) const;
 	std::size_t partBytes() const;
@@ -66,3 +69,5 @@ private:
 
 // Returns the JSON of the array in a folder, or nothing if there is none.
 std::optional<nlohmann::json> zarrArrayJson(const std::filesystem::path& folder);
+
+} // namespace vp::reader::volumes

@@ -2,6 +2,7 @@
 #include "zarr_codecs.h"
 
 #include "vprobe-read/arrays/chunk_codecs.h"
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/is_one_of.h"
 #include "vprobe-read/base/refusal.h"
 
@@ -9,15 +10,16 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 
 #include <lz4.h>
 #include <lzma.h>
 #include <zlib.h>
 #include <zstd.h>
+
+namespace vp::reader::volumes
+{
 
 using nlohmann::json;
 
@@ -26,18 +28,11 @@ namespace
 
 using Bytes = std::span<const std::byte>;
 
-std::uint32_t littleEndian(Bytes bytes)
-{
-	std::uint32_t value = 0;
-	for (std::size_t i = 4; i-- > 0;)
-		value = value << 8 | static_cast<std::uint32_t>(bytes[i]);
-	return value;
-}
-
 // numcodecs writes the size before the block.
 bool unpackSizedLz4(Bytes packed, std::span<std::byte> to)
 {
-	return packed.size() >= 4 && littleEndian(packed) == to.size() && packed.size() <= LZ4_MAX_INPUT_SIZE &&
+	return packed.size() >= 4 && numberAt<std::uint32_t>(packed.data()) == to.size() &&
+	       packed.size() <= LZ4_MAX_INPUT_SIZE &&
 	       LZ4_decompress_safe(reinterpret_cast<const char*>(packed.data()) + 4, reinterpret_cast<char*>(to.data()),
 	                           static_cast<int>(packed.size() - 4),
 	                           static_cast<int>(to.size())) == static_cast<int>(to.size());
@@ -58,7 +53,8 @@ bool checkCrc32(Bytes packed, std::span<std::byte> to)
 {
 	const Bytes rest = packed.subspan(4);
 	std::ranges::copy(rest, to.begin());
-	return littleEndian(packed) == crc32_z(0, reinterpret_cast<const Bytef*>(rest.data()), rest.size());
+	return numberAt<std::uint32_t>(packed.data()) ==
+	       crc32_z(0, reinterpret_cast<const Bytef*>(rest.data()), rest.size());
 }
 
 // It stands behind them.
@@ -66,7 +62,7 @@ bool checkCrc32c(Bytes packed, std::span<std::byte> to)
 {
 	const Bytes rest = packed.first(packed.size() - 4);
 	std::ranges::copy(rest, to.begin());
-	return littleEndian(packed.last(4)) == crc32c(rest);
+	return numberAt<std::uint32_t>(packed.data() + rest.size()) == arrays::crc32c(rest);
 }
 
 // Calls use(NUMBER) with a value of the type.
@@ -87,28 +83,6 @@ void withNumber(const ZarrType& type, Use&& use)
 	default:
 		return is_signed ? use(std::int64_t()) : use(std::uint64_t());
 	}
-}
-
-template <class Number>
-Number numberAt(Bytes bytes, std::size_t index, bool is_big_endian)
-{
-	std::array<std::byte, sizeof(Number)> raw;
-	std::memcpy(raw.data(), bytes.data() + index * sizeof(Number), sizeof(Number));
-	if (is_big_endian)
-		std::ranges::reverse(raw);
-	Number number;
-	std::memcpy(&number, raw.data(), sizeof(Number));
-	return number;
-}
-
-template <class Number>
-void putNumber(Number number, std::span<std::byte> bytes, std::size_t index, bool is_big_endian)
-{
-	std::array<std::byte, sizeof(Number)> raw;
-	std::memcpy(raw.data(), &number, sizeof(Number));
-	if (is_big_endian)
-		std::ranges::reverse(raw);
-	std::memcpy(bytes.data() + index * sizeof(Number), raw.data(), sizeof(Number));
 }
 
 // Whole numbers wrap around, as NumPy's do. A double that none can hold is 0.
@@ -208,13 +182,14 @@ bool ZarrCodecs::Step::undoNumbers(Bytes packed, std::span<std::byte> to) const
 			                      Plain sum = 0;
 			                      for (std::size_t i = 0; i < count; ++i)
 			                      {
-				                      const auto given = numberAt<Stored>(packed, i, stored.is_big_endian);
+				                      const auto given = numberAt<Stored>(packed.data() + i * sizeof(Stored),
+				                                                          byteOrder(stored.is_big_endian));
 				                      Plain number = turnedInto<Plain>(given);
 				                      if (id == "delta")
 					                      number = sum = static_cast<Plain>(sum + number);
 				                      else if (id == "fixedscaleoffset")
 					                      number = turnedInto<Plain>(static_cast<double>(given) / scale + offset);
-				                      putNumber(number, to, i, plain.is_big_endian);
+				                      putNumber(number, to.data() + i * sizeof(Plain), byteOrder(plain.is_big_endian));
 			                      }
 		                      });
 	           });
@@ -224,11 +199,11 @@ bool ZarrCodecs::Step::undoNumbers(Bytes packed, std::span<std::byte> to) const
 bool ZarrCodecs::Step::undo(Bytes packed, std::span<std::byte> to) const
 {
 	if (id == "blosc")
-		return unpackBlosc(packed, to);
+		return arrays::unpackBlosc(packed, to);
 	if (id == "zlib")
-		return inflateZlib(packed, to);
+		return arrays::inflateZlib(packed, to);
 	if (id == "gzip")
-		return inflateGzip(packed, to);
+		return arrays::inflateGzip(packed, to);
 	if (id == "zstd")
 		return ZSTD_decompress(to.data(), to.size(), packed.data(), packed.size()) == to.size();
 	if (id == "lz4")
@@ -244,7 +219,7 @@ bool ZarrCodecs::Step::undo(Bytes packed, std::span<std::byte> to) const
 	if (id == "crc32c")
 		return checkCrc32c(packed, to);
 	if (id == "shuffle")
-		return unshuffle(packed, to, width);
+		return arrays::unshuffle(packed, to, width);
 	std::ranges::copy(packed, to.begin()); // "bitround"
 	return true;
 }
@@ -268,3 +243,5 @@ std::vector<std::byte> ZarrCodecs::unpack(Bytes packed, std::size_t bytes, const
 		throw damaged(fmt::format("{} has {} bytes where {} are wanted", where, at.size(), bytes));
 	return at;
 }
+
+} // namespace vp::reader::volumes

@@ -7,6 +7,9 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+namespace vp::reader::volumes
+{
+
 // A type of numbers as NumPy writes it: "<f4".
 struct ZarrType
 {
@@ -49,3 +52,5 @@ private:
 
 	std::vector<Step> steps_; // in the order in which they were done
 };
+
+} // namespace vp::reader::volumes

@@ -12,6 +12,9 @@
 #include <array>
 #include <cstring>
 
+namespace vp::reader::volumes
+{
+
 using nlohmann::json;
 
 namespace
@@ -22,7 +25,7 @@ namespace fs = std::filesystem;
 int newFileInMemory()
 {
 	int id = -1;
-	NetcdfFile::check(nc_create("zarr", NC_NETCDF4 | NC_DISKLESS, &id));
+	hdf5::NetcdfFile::check(nc_create("zarr", NC_NETCDF4 | NC_DISKLESS, &id));
 	return id;
 }
 
@@ -58,17 +61,17 @@ void putNumbers(int id, int variable, const std::string& name, const json& numbe
 	if (are([](const json& one) { return one.is_number_unsigned(); }))
 	{
 		const auto all = numbers.get<std::vector<unsigned long long>>();
-		NetcdfFile::check(nc_put_att_ulonglong(id, variable, name.c_str(), NC_UINT64, all.size(), all.data()));
+		hdf5::NetcdfFile::check(nc_put_att_ulonglong(id, variable, name.c_str(), NC_UINT64, all.size(), all.data()));
 	}
 	else if (are([](const json& one) { return one.is_number_integer(); }))
 	{
 		const auto all = numbers.get<std::vector<long long>>();
-		NetcdfFile::check(nc_put_att_longlong(id, variable, name.c_str(), NC_INT64, all.size(), all.data()));
+		hdf5::NetcdfFile::check(nc_put_att_longlong(id, variable, name.c_str(), NC_INT64, all.size(), all.data()));
 	}
 	else
 	{
 		const auto all = numbers.get<std::vector<double>>();
-		NetcdfFile::check(nc_put_att_double(id, variable, name.c_str(), NC_DOUBLE, all.size(), all.data()));
+		hdf5::NetcdfFile::check(nc_put_att_double(id, variable, name.c_str(), NC_DOUBLE, all.size(), all.data()));
 	}
 }
 
@@ -92,7 +95,7 @@ void putAttribute(int id, int variable, const std::string& name, const json& val
 	else if (value.is_string() || value.is_boolean())
 	{
 		const std::string text = value.is_string() ? value.get<std::string>() : value.get<bool>() ? "true" : "false";
-		NetcdfFile::check(nc_put_att_text(id, variable, name.c_str(), text.size(), text.c_str()));
+		hdf5::NetcdfFile::check(nc_put_att_text(id, variable, name.c_str(), text.size(), text.c_str()));
 	}
 }
 
@@ -151,7 +154,7 @@ json missingIn(const json& about, const json& attributes)
 
 } // namespace
 
-ZarrFile::ZarrFile(const ZarrGroup& group, const std::string& folder) : NetcdfFile(newFileInMemory())
+ZarrFile::ZarrFile(const ZarrGroup& group, const std::string& folder) : hdf5::NetcdfFile(newFileInMemory())
 {
 	if (group.arrays.empty() && !group.groups.empty())
 		throw Refusal(fmt::format("nothing to slice: a Zarr group with groups alone; name one of them, such as {}",
@@ -204,7 +207,7 @@ void ZarrFile::addArray(const std::string& name, const ZarrGroup::Array& given)
 	arrays_.emplace(variable, std::move(array));
 }
 
-std::optional<StoredPlace> ZarrFile::storedPlace(int variable, const std::vector<std::size_t>& front) const
+std::optional<arrays::StoredPlace> ZarrFile::storedPlace(int variable, const std::vector<std::size_t>& front) const
 {
 	return arrays_.at(variable).storedPlace(front);
 }
@@ -214,3 +217,5 @@ void ZarrFile::readSlab(int variable, const std::vector<std::size_t>& starts, co
 {
 	arrays_.at(variable).read(starts, counts, static_cast<std::byte*>(to));
 }
+
+} // namespace vp::reader::volumes

@@ -6,9 +6,12 @@
 
 #include <map>
 
+namespace vp::reader::volumes
+{
+
 // A group of Zarr, or a lone array of it, as a netCDF file: what its JSON says stands in a netCDF file in memory, and
 // values are read from its chunks.
-class ZarrFile : public NetcdfFile
+class ZarrFile : public hdf5::NetcdfFile
 {
 public:
 	// Throws a Refusal where there is nothing that can be read. `folder`: as it was named.
@@ -17,7 +20,7 @@ public:
 
 	void readSlab(int variable, const std::vector<std::size_t>& starts, const std::vector<std::size_t>& counts,
 	              void* to) const override;
-	std::optional<StoredPlace> storedPlace(int variable, const std::vector<std::size_t>& front) const override;
+	std::optional<arrays::StoredPlace> storedPlace(int variable, const std::vector<std::size_t>& front) const override;
 	bool marksUnwritten() const override { return false; }
 
 	/// Returns true if OME-Zarr's attributes say that its arrays are labels.
@@ -30,3 +33,5 @@ private:
 	std::map<int, ZarrArray> arrays_; // by their variables
 	bool has_labels_ = false;
 };
+
+} // namespace vp::reader::volumes

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 
+namespace vp::reader::volumes
+{
+
 using nlohmann::json;
 
 namespace
@@ -77,3 +80,5 @@ ZarrGroup ZarrGroup::of(const std::string& given)
 	std::ranges::sort(group.groups);
 	return group;
 }
+
+} // namespace vp::reader::volumes

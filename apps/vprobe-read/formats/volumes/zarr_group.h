@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+namespace vp::reader::volumes
+{
+
 // The JSON of a folder of Zarr, of version 2 or 3: of a group, or of an array by itself.
 struct ZarrGroup
 {
@@ -24,3 +27,5 @@ struct ZarrGroup
 	// Reads it. Throws a Refusal that names a file which is no JSON.
 	static ZarrGroup of(const std::string& folder);
 };
+
+} // namespace vp::reader::volumes

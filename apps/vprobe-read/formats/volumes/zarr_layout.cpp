@@ -16,6 +16,9 @@
 #include <limits>
 #include <numeric>
 
+namespace vp::reader::volumes
+{
+
 using nlohmann::json;
 
 namespace
@@ -308,7 +311,7 @@ json zarrJson(const std::filesystem::path& file)
 		}
 		at += bare;
 	}
-	const json parsed = parseJson(text);
+	const json parsed = text::parseJson(text);
 	if (!parsed.is_object())
 		throw damaged(fmt::format("{} is no JSON", (file.parent_path().filename() / file.filename()).string()));
 	return parsed;
@@ -368,3 +371,5 @@ std::optional<Sides> ZarrLayout::indicesOf(std::string name) const
 	}
 	return indices;
 }
+
+} // namespace vp::reader::volumes

@@ -10,6 +10,9 @@
 #include <string>
 #include <vector>
 
+namespace vp::reader::volumes
+{
+
 // The contents of a JSON file as Python writes it, where NaN and Infinity may stand bare. They become texts. Throws a
 // Refusal that names the file.
 nlohmann::json zarrJson(const std::filesystem::path& file);
@@ -40,3 +43,5 @@ struct ZarrLayout
 	// Returns the indices in such a name; nothing for other names.
 	std::optional<std::vector<std::size_t>> indicesOf(std::string name) const;
 };
+
+} // namespace vp::reader::volumes

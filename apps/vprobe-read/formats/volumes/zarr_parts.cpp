@@ -8,13 +8,16 @@
 #include <algorithm>
 #include <cstring>
 
-std::optional<StoredPlace> ZarrArray::storedPlace(const std::vector<std::size_t>& front) const
+namespace vp::reader::volumes
+{
+
+std::optional<arrays::StoredPlace> ZarrArray::storedPlace(const std::vector<std::size_t>& front) const
 {
 	if (layout_.shape.size() != front.size() + 3)
 		return std::nullopt;
 	std::error_code ignored;
 	const bool is_second = std::filesystem::is_regular_file(folder_ / ".zarray", ignored);
-	StoredPlace place{.file = (folder_ / (is_second ? ".zarray" : "zarr.json")).string()};
+	arrays::StoredPlace place{.file = (folder_ / (is_second ? ".zarray" : "zarr.json")).string()};
 	for (std::size_t axis = 0; axis < 3; ++axis)
 		place.part[axis] = layout_.chunk[front.size() + 2 - axis];
 	place.reader = fmt::format("zarr {}", fmt::join(front, " "));
@@ -59,3 +62,5 @@ void ZarrArray::readPart(const std::vector<std::size_t>& front, std::uint64_t nu
 		            held[2] * width);
 	}
 }
+
+} // namespace vp::reader::volumes

@@ -9,31 +9,34 @@
 #include <vtkDataArraySelection.h>
 #include <vtkXMLReader.h>
 
+namespace vp::reader::vtk
+{
+
 using nlohmann::json;
 
 namespace
 {
 
-const XmlElement* childOf(const XmlElement& parent, std::string_view name)
+const text::XmlElement* childOf(const text::XmlElement& parent, std::string_view name)
 {
-	for (const XmlElement& child : parent.children)
+	for (const text::XmlElement& child : parent.children)
 		if (child.name == name)
 			return &child;
 	return nullptr;
 }
 
 // Nothing for strings and the like.
-std::optional<ArrayKind> kindOf(const XmlElement& array)
+std::optional<quick::ArrayKind> kindOf(const text::XmlElement& array)
 {
 	try
 	{
 		// An index of pieces has no data, and so other names for the same.
-		XmlElement plain = array;
+		text::XmlElement plain = array;
 		if (plain.name == "PDataArray")
 			plain.name = "DataArray";
-		return ArrayKind(plain);
+		return quick::ArrayKind(plain);
 	}
-	catch (const NotQuick&)
+	catch (const arrays::NotQuick&)
 	{
 		return std::nullopt;
 	}
@@ -41,17 +44,17 @@ std::optional<ArrayKind> kindOf(const XmlElement& array)
 
 } // namespace
 
-void leaveOutArrays(vtkXMLReader& reader, const Request& request, ManifestWriter& manifest)
+void leaveOutArrays(vtkXMLReader& reader, const Request& request, manifest::Writer& manifest)
 {
 	if (request.arrays.all)
 		return;
 	const MappedText mapped(request.file);
-	const std::optional<XmlFile> xml = parseXml(mapped.text());
-	const XmlElement* data = xml ? childOf(xml->root, xml->root.attribute("type")) : nullptr;
+	const std::optional<text::XmlFile> xml = text::parseXml(mapped.text());
+	const text::XmlElement* data = xml ? childOf(xml->root, xml->root.attribute("type")) : nullptr;
 	if (!data)
 		return;
 	const bool is_index = data->name[0] == 'P' && data->name != "PolyData";
-	const XmlElement* piece = is_index ? data : childOf(*data, "Piece");
+	const text::XmlElement* piece = is_index ? data : childOf(*data, "Piece");
 	if (!piece)
 		return;
 
@@ -59,13 +62,13 @@ void leaveOutArrays(vtkXMLReader& reader, const Request& request, ManifestWriter
 	bool has_shown = false;
 	const auto choose = [&](const std::string& element, const char* association, vtkDataArraySelection* selection)
 	{
-		const XmlElement* arrays = childOf(*piece, is_index ? "P" + element : element);
+		const text::XmlElement* arrays = childOf(*piece, is_index ? "P" + element : element);
 		if (!arrays || !selection)
 			return;
-		for (const XmlElement& array : arrays->children)
+		for (const text::XmlElement& array : arrays->children)
 		{
 			const std::string name(array.attribute("Name"));
-			const std::optional<ArrayKind> kind = kindOf(array);
+			const std::optional<quick::ArrayKind> kind = kindOf(array);
 			if (!kind || isOneOf(name, {"", "vtkGhostType", "vtkGhostLevels"}))
 				continue;
 			const bool shapes_cells =
@@ -75,7 +78,7 @@ void leaveOutArrays(vtkXMLReader& reader, const Request& request, ManifestWriter
 			{
 				selection->DisableArray(name.c_str());
 				manifest.noteLeftOut(
-				    describeLeftOut(association, name, kind->type, static_cast<int>(kind->components)));
+				    manifest::describeLeftOut(association, name, kind->type, static_cast<int>(kind->components)));
 			}
 			has_shown = true;
 		}
@@ -83,3 +86,5 @@ void leaveOutArrays(vtkXMLReader& reader, const Request& request, ManifestWriter
 	choose("PointData", "point", reader.GetPointDataArraySelection());
 	choose("CellData", "cell", reader.GetCellDataArraySelection());
 }
+
+} // namespace vp::reader::vtk

@@ -1,6 +1,7 @@
 #include "legacy_arrays.h"
 
 #include "base/real_text.h"
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/text/text_numbers.h"
 
@@ -12,7 +13,10 @@
 #include <cmath>
 #include <optional>
 
-using vp::grid::NumberType;
+namespace vp::reader::vtk
+{
+
+using grid::NumberType;
 
 namespace
 {
@@ -33,10 +37,9 @@ constexpr LegacyType kLegacyTypes[] = {
 
 std::string bigEndian(std::uint64_t value, std::size_t bytes)
 {
-	std::string text(bytes, '\0');
-	for (std::size_t i = 0; i < bytes; ++i)
-		text[bytes - 1 - i] = static_cast<char>(value >> 8 * i & 0xFF);
-	return text;
+	std::array<char, sizeof value> all;
+	putNumber(value, all.data(), ByteOrder::big);
+	return {all.data() + all.size() - bytes, bytes};
 }
 
 // How binary files write a text: the first two bits say how long its length is.
@@ -104,7 +107,7 @@ void LegacyArrays::copyReals(const std::string& word, std::size_t count)
 	for (std::size_t i = 0; i < count; ++i)
 	{
 		const std::string_view digits = at_.word();
-		const std::optional<double> number = vp::parseReal(digits);
+		const std::optional<double> number = parseReal(digits);
 		if (!number || !std::isfinite(*number))
 			throw damaged(fmt::format("\"{}\" in its {} is no finite number", digits.substr(0, 40), word));
 		double known = 0.0;
@@ -155,8 +158,8 @@ std::int64_t LegacyArrays::copyNumbers(NumberType type, std::uint64_t values, co
 		return 0;
 	if (is_text_)
 	{
-		const TextNumbers numbers =
-		    readNumbers(text_.substr(at_.place()), type, words, {.to = to_, .order = ByteOrder::big, .most = values});
+		const text::Numbers numbers = text::readNumbers(text_.substr(at_.place()), type, words,
+		                                                {.to = to_, .order = ByteOrder::big, .most = values});
 		checkLegacyCount(numbers.count, values, words);
 		at_.moveTo(at_.place() + numbers.behind);
 		write("\n");
@@ -165,10 +168,9 @@ std::int64_t LegacyArrays::copyNumbers(NumberType type, std::uint64_t values, co
 	const std::string_view bytes = takeBytes(values, byteSize(type), words);
 	if (type != NumberType::int32 && type != NumberType::int64)
 		return 0;
-	std::uint64_t last = 0;
-	for (const char c : bytes.substr(bytes.size() - byteSize(type)))
-		last = last << 8 | static_cast<unsigned char>(c);
-	return type == NumberType::int32 ? static_cast<std::int32_t>(last) : static_cast<std::int64_t>(last);
+	const char* last = bytes.data() + bytes.size() - byteSize(type);
+	return type == NumberType::int32 ? numberAt<std::int32_t>(last, ByteOrder::big)
+	                                 : numberAt<std::int64_t>(last, ByteOrder::big);
 }
 
 // Those of a binary file, which begin behind the line.
@@ -226,12 +228,12 @@ void LegacyArrays::copyText(const std::string& words)
 		at_.endsEarly();
 	constexpr std::size_t kBytes[] = {8, 4, 2, 1};
 	const std::size_t bytes = kBytes[static_cast<unsigned char>(rest[0]) >> 6];
-	std::uint64_t length = 0;
-	for (std::size_t i = 0; i < std::min(bytes, rest.size()); ++i)
-		length = length << 8 | static_cast<unsigned char>(rest[i]);
+	std::uint64_t length = integerAt(rest.data(), std::min(bytes, rest.size()), ByteOrder::big);
 	length &= bytes == 8 ? ~std::uint64_t(0) : (std::uint64_t(1) << (8 * bytes - 2)) - 1;
 	if (rest.size() < bytes || length > rest.size() - bytes)
 		throw damaged(fmt::format("{} ends too early", words));
 	write(rest.substr(0, bytes + length));
 	at_.moveTo(at_.place() + bytes + length);
 }
+
+} // namespace vp::reader::vtk

@@ -9,6 +9,9 @@
 #include <string>
 #include <string_view>
 
+namespace vp::reader::vtk
+{
+
 std::string inSmallLetters(std::string_view word);
 
 // "%20" is a blank in the names and texts of legacy VTK files.
@@ -35,10 +38,10 @@ protected:
 	void copyShades(std::uint64_t count, const std::string& words);
 	// Values of a type by its name in small letters. Returns the last value of whole numbers.
 	std::int64_t copyArray(const std::string& type, std::uint64_t values, const std::string& words);
-	std::int64_t copyNumbers(vp::grid::NumberType type, std::uint64_t values, const std::string& words);
+	std::int64_t copyNumbers(grid::NumberType type, std::uint64_t values, const std::string& words);
 
 	std::string_view text_;
-	TextCursor at_;
+	text::Cursor at_;
 	MemoryFile* to_;
 	bool is_text_ = false;
 	bool is_changed_ = false;       // what is copied from bytes is not what was there
@@ -51,3 +54,5 @@ private:
 	void copyTexts(std::uint64_t values, const std::string& words);
 	void copyText(const std::string& words);
 };
+
+} // namespace vp::reader::vtk

@@ -13,7 +13,10 @@
 #include <optional>
 #include <set>
 
-using vp::grid::NumberType;
+namespace vp::reader::vtk
+{
+
+using grid::NumberType;
 
 namespace
 {
@@ -37,7 +40,7 @@ public:
 			{
 				if (std::any_of(word.begin(), word.end(), [](char c) { return c < '!' || c > '~'; }))
 					throw damaged(fmt::format("behind {} stands no keyword: it has too few or too many values", last_));
-				if (vp::parseReal(word))
+				if (parseReal(word))
 					throw damaged(fmt::format("behind {} stands \"{}\": it has more values than it announces", last_,
 					                          word.substr(0, 40)));
 				throw NotCopied();
@@ -298,8 +301,8 @@ private:
 			if (line.starts_with("NAME "))
 				endKey();
 			key += fmt::format("{}\n", line);
-			for (TextCursor words(line); !words.atEnd();)
-				if (const std::optional<double> number = vp::parseReal(words.word()); number && !std::isfinite(*number))
+			for (text::Cursor words(line); !words.atEnd();)
+				if (const std::optional<double> number = parseReal(words.word()); number && !std::isfinite(*number))
 					is_known = false;
 		}
 		endKey();
@@ -373,3 +376,5 @@ LegacyCopy copyLegacy(std::string_view text)
 	}
 	return copy;
 }
+
+} // namespace vp::reader::vtk

@@ -7,6 +7,9 @@
 #include <string_view>
 #include <vector>
 
+namespace vp::reader::vtk
+{
+
 // A copy in memory of a legacy VTK file, which VTK's reader reads in place of it.
 struct LegacyCopy
 {
@@ -20,3 +23,5 @@ struct LegacyCopy
 // of its own. Throws a Refusal for a word that is no number, and for too few or too many values. Data sets that are no
 // grids, and keywords that VTK's reader has to tell about, stay what they are.
 LegacyCopy copyLegacy(std::string_view text);
+
+} // namespace vp::reader::vtk

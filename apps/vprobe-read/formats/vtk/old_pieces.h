@@ -11,6 +11,9 @@
 #include <utility>
 #include <vector>
 
+namespace vp::reader::vtk
+{
+
 // Reads files below version 2.1, whose hexahedra of higher degree have another order of nodes. VTK brings the cells of
 // all pieces read so far into its own order after each piece, and so those of the first ones back again. Here each cell
 // is as VTK leaves it after its own piece.
@@ -51,3 +54,5 @@ private:
 	vtkIdType seen_ = 0; // cells of the pieces before
 	std::vector<std::pair<vtkIdType, std::vector<vtkIdType>>> right_;
 };
+
+} // namespace vp::reader::vtk

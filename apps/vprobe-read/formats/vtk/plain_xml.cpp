@@ -17,6 +17,9 @@
 #include <optional>
 #include <set>
 
+namespace vp::reader::vtk
+{
+
 namespace fs = std::filesystem;
 
 namespace
@@ -31,7 +34,7 @@ constexpr std::size_t kHeadBytesOfTimes = 1 << 16;
 std::vector<double> stepValues(std::string_view text)
 {
 	std::vector<double> numbers;
-	for (TextCursor at(text); !at.atEnd();)
+	for (text::Cursor at(text); !at.atEnd();)
 	{
 		numbers.push_back(at.real());
 		if (numbers.size() > kMaxSteps)
@@ -41,7 +44,7 @@ std::vector<double> stepValues(std::string_view text)
 }
 
 // The steps that an array says it belongs to; none: to all of them.
-std::set<std::size_t> timeStepsOf(const XmlElement& array)
+std::set<std::size_t> timeStepsOf(const text::XmlElement& array)
 {
 	std::set<std::size_t> steps;
 	for (const double step : stepValues(array.attribute("TimeStep")))
@@ -50,25 +53,25 @@ std::set<std::size_t> timeStepsOf(const XmlElement& array)
 	return steps;
 }
 
-void collectTimeSteps(const XmlElement& element, std::set<std::size_t>& steps)
+void collectTimeSteps(const text::XmlElement& element, std::set<std::size_t>& steps)
 {
 	if (element.has("TimeStep"))
 		steps.merge(timeStepsOf(element));
-	for (const XmlElement& child : element.children)
+	for (const text::XmlElement& child : element.children)
 		collectTimeSteps(child, steps);
 }
 
-std::string* attributeOf(XmlElement& element, std::string_view name)
+std::string* attributeOf(text::XmlElement& element, std::string_view name)
 {
 	const auto found = std::ranges::find(element.attributes, name, [](const auto& each) { return each.first; });
 	return found == element.attributes.end() ? nullptr : &found->second;
 }
 
 // VTK's writer gives an axis that has not changed an empty offset: its data are those of the step before.
-void fillOffsets(XmlElement& element)
+void fillOffsets(text::XmlElement& element)
 {
 	std::map<std::string_view, std::string> last;
-	for (XmlElement& child : element.children)
+	for (text::XmlElement& child : element.children)
 		if (std::string* offset = attributeOf(child, "offset"); offset && child.has("TimeStep"))
 		{
 			std::string& before = last[child.attribute("Name")];
@@ -79,28 +82,28 @@ void fillOffsets(XmlElement& element)
 }
 
 // Leaves out what belongs to other steps, and the marks of steps.
-void keepStep(XmlElement& element, std::size_t step)
+void keepStep(text::XmlElement& element, std::size_t step)
 {
 	fillOffsets(element);
 	std::erase_if(element.attributes, [](const auto& each) { return each.first == "TimeStep"; });
-	std::erase_if(element.children,
-	              [&](const XmlElement& child) { return child.has("TimeStep") && !timeStepsOf(child).contains(step); });
-	for (XmlElement& child : element.children)
+	std::erase_if(element.children, [&](const text::XmlElement& child)
+	              { return child.has("TimeStep") && !timeStepsOf(child).contains(step); });
+	for (text::XmlElement& child : element.children)
 		keepStep(child, step);
 }
 
-bool isPieceElement(const XmlElement& element)
+bool isPieceElement(const text::XmlElement& element)
 {
 	return element.name == "Piece";
 }
 
 // A piece of a lattice gives its subscripts, another one its number of points.
-bool hasNoPoints(const XmlElement& piece)
+bool hasNoPoints(const text::XmlElement& piece)
 {
 	if (piece.has("NumberOfPoints"))
 	{
 		const std::string_view text = piece.attribute("NumberOfPoints");
-		return TextCursor(text).integer() == 0;
+		return text::Cursor(text).integer() == 0;
 	}
 	if (!piece.has("Extent"))
 		return false;
@@ -110,35 +113,35 @@ bool hasNoPoints(const XmlElement& piece)
 	return extent[1] < extent[0] || extent[3] < extent[2] || extent[5] < extent[4];
 }
 
-void collectOffsets(const XmlElement& element, std::set<std::uint64_t>& offsets)
+void collectOffsets(const text::XmlElement& element, std::set<std::uint64_t>& offsets)
 {
 	const std::string_view text = element.attribute("offset");
 	std::uint64_t offset = 0;
 	if (std::from_chars(text.data(), text.data() + text.size(), offset).ec == std::errc())
 		offsets.insert(offset);
-	for (const XmlElement& child : element.children)
+	for (const text::XmlElement& child : element.children)
 		collectOffsets(child, offsets);
 }
 
 // VTK's readers would leave what happens to be in memory.
-void refuseWithoutOffset(const XmlElement& element)
+void refuseWithoutOffset(const text::XmlElement& element)
 {
 	const std::string_view offset = element.attribute("offset");
 	if (element.attribute("format") == "appended" && offset.find_first_of("0123456789") == offset.npos)
 		throw damaged(fmt::format("the array {} has no offset", element.attribute("Name")));
-	for (const XmlElement& child : element.children)
+	for (const text::XmlElement& child : element.children)
 		refuseWithoutOffset(child);
 }
 
-const XmlElement* dataElementOf(const XmlFile& xml)
+const text::XmlElement* dataElementOf(const text::XmlFile& xml)
 {
-	const auto found = std::ranges::find(xml.root.children, xml.root.attribute("type"), &XmlElement::name);
+	const auto found = std::ranges::find(xml.root.children, xml.root.attribute("type"), &text::XmlElement::name);
 	return found == xml.root.children.end() ? nullptr : &*found;
 }
 
-XmlElement& dataElementOf(XmlFile& xml)
+text::XmlElement& dataElementOf(text::XmlFile& xml)
 {
-	return const_cast<XmlElement&>(*dataElementOf(std::as_const(xml)));
+	return const_cast<text::XmlElement&>(*dataElementOf(std::as_const(xml)));
 }
 
 } // namespace
@@ -146,8 +149,8 @@ XmlElement& dataElementOf(XmlFile& xml)
 PlainXml::PlainXml(const Request& request) : request_(request), data_files_{request.file}
 {
 	const MappedText mapped(request.file);
-	const std::optional<XmlFile> xml = parseXml(mapped.text());
-	const XmlElement* data = xml ? dataElementOf(*xml) : nullptr;
+	const std::optional<text::XmlFile> xml = text::parseXml(mapped.text());
+	const text::XmlElement* data = xml ? dataElementOf(*xml) : nullptr;
 	if (!data && mapped.text().substr(0, kHeadBytesOfTimes).find(" TimeValues=") != std::string_view::npos)
 		throw Refusal("several times in a file of too many elements, or with a document type; write a file for each");
 	has_unknown_text_ = !data && mapped.text().find("\"ascii\"") != std::string_view::npos;
@@ -160,28 +163,28 @@ PlainXml::PlainXml(const Request& request) : request_(request), data_files_{requ
 		takeIndex(*xml, mapped.text());
 }
 
-void PlainXml::takeData(const XmlFile& given, std::string_view text)
+void PlainXml::takeData(const text::XmlFile& given, std::string_view text)
 {
-	XmlFile xml = given;
-	XmlElement& data = dataElementOf(xml);
+	text::XmlFile xml = given;
+	text::XmlElement& data = dataElementOf(xml);
 	std::set<std::size_t> steps;
 	collectTimeSteps(data, steps);
 	const bool has_steps = !steps.empty() || data.has("TimeValues");
 	if (has_steps)
 		leaveOutOtherTimes(data);
-	const auto left_out = std::erase_if(data.children, [](const XmlElement& element)
+	const auto left_out = std::erase_if(data.children, [](const text::XmlElement& element)
 	                                    { return isPieceElement(element) && hasNoPoints(element); });
 	is_empty_ = data.name != "HyperTreeGrid" && std::ranges::none_of(data.children, isPieceElement);
 	refuseWithoutOffset(data);
 	if (is_empty_)
 		return;
-	const std::vector<std::string> names = giveOwnNames(data);
-	refuseOtherFields(data);
+	const std::vector<std::string> names = quick::giveOwnNames(data);
+	quick::refuseOtherFields(data);
 	const auto piece = std::ranges::find_if(data.children, isPieceElement);
 	if (piece != data.children.end())
-		fields_ = fieldsOf(*piece);
-	const bool is_respelled = respellAttributes(data);
-	const bool has_fewer_keys = leaveOutStrangeKeys(data);
+		fields_ = quick::fieldsOf(*piece);
+	const bool is_respelled = quick::respellAttributes(data);
+	const bool has_fewer_keys = quick::leaveOutStrangeKeys(data);
 	warn(names);
 	if (!copyNumbers(given, xml, text) &&
 	    (has_steps || left_out > 0 || !names.empty() || is_respelled || has_fewer_keys))
@@ -195,23 +198,23 @@ void PlainXml::warn(const std::vector<std::string>& lines)
 			warnings_.push_back(line);
 }
 
-bool PlainXml::copyNumbers(const XmlFile& given, XmlFile& xml, std::string_view text)
+bool PlainXml::copyNumbers(const text::XmlFile& given, text::XmlFile& xml, std::string_view text)
 {
-	const std::vector<XmlArray> arrays = arraysOfXml(dataElementOf(xml));
-	const auto isText = [](const XmlArray& array) { return array.form == XmlArray::Form::text; };
-	const bool has_numbers = std::ranges::any_of(arrays, [&](const XmlArray& a) { return isText(a) && a.type; });
+	const std::vector<quick::XmlArray> arrays = quick::arraysOfXml(dataElementOf(xml));
+	const auto isText = [](const quick::XmlArray& array) { return array.form == quick::XmlArray::Form::text; };
+	const bool has_numbers = std::ranges::any_of(arrays, [&](const quick::XmlArray& a) { return isText(a) && a.type; });
 	const bool has_text_alone = has_numbers && std::ranges::all_of(arrays, isText);
-	if (!has_text_alone && checkArrays(request_.file, given, arrays, text))
+	if (!has_text_alone && quick::checkArrays(request_.file, given, arrays, text))
 		return false;
 	MemoryFile& file = newFile();
-	writeAsBytes(request_.file, given, xml, arrays, text, file);
+	quick::writeAsBytes(request_.file, given, xml, arrays, text, file);
 	request_.file = file.path();
 	data_files_ = {request_.file};
 	return true;
 }
 
 // In text and inline, writers repeat all pieces for each time, with the step 0. What is appended has arrays for each.
-void PlainXml::leaveOutOtherTimes(XmlElement& data)
+void PlainXml::leaveOutOtherTimes(text::XmlElement& data)
 {
 	std::set<std::size_t> steps;
 	collectTimeSteps(data, steps);
@@ -219,13 +222,13 @@ void PlainXml::leaveOutOtherTimes(XmlElement& data)
 	const std::set<std::size_t> first = {0};
 	if (values.empty() && !steps.empty() && steps != first)
 		throw Refusal("arrays of several times, and no TimeValues that name them");
-	times_ = inOrder(values);
+	times_ = manifest::inOrder(values);
 	std::size_t step = 0;
-	if (const std::optional<double> time = chooseIfAny(times_, request_))
+	if (const std::optional<double> time = manifest::chooseIfAny(times_, request_))
 		step = static_cast<std::size_t>(std::ranges::find(values, *time) - values.begin());
 	request_.time = Request::Time::last;
 
-	std::vector<XmlElement> pieces;
+	std::vector<text::XmlElement> pieces;
 	if (values.size() > 1 && steps == first)
 	{
 		std::ranges::copy_if(data.children, std::back_inserter(pieces), isPieceElement);
@@ -243,16 +246,16 @@ void PlainXml::leaveOutOtherTimes(XmlElement& data)
 }
 
 // Only what the elements name is taken from appended data, in its place: an array ends before the next one begins.
-void PlainXml::copy(const XmlFile& given, const XmlFile& xml, std::string_view text)
+void PlainXml::copy(const text::XmlFile& given, const text::XmlFile& xml, std::string_view text)
 {
 	MemoryFile& file = newFile();
-	writeElements(xml, text, file);
+	quick::writeElements(xml, text, file);
 	if (!xml.appended_encoding.empty())
 	{
 		std::set<std::uint64_t> wanted, all;
 		collectOffsets(xml.root, wanted);
 		collectOffsets(given.root, all);
-		writeAppendedStart(xml.appended_encoding, file);
+		quick::writeAppendedStart(xml.appended_encoding, file);
 		const std::uint64_t size = xml.appended_end - xml.appended_begin;
 		const std::string_view bytes = text.substr(xml.appended_begin, size);
 		std::uint64_t at = 0;
@@ -268,22 +271,22 @@ void PlainXml::copy(const XmlFile& given, const XmlFile& xml, std::string_view t
 		}
 		file.skip(size - at);
 	}
-	writeEnd(xml, !xml.appended_encoding.empty(), file);
+	quick::writeEnd(xml, !xml.appended_encoding.empty(), file);
 	request_.file = file.path();
 	data_files_ = {request_.file};
 }
 
-void PlainXml::takeIndex(const XmlFile& given, std::string_view text)
+void PlainXml::takeIndex(const text::XmlFile& given, std::string_view text)
 {
-	XmlFile xml = given;
-	XmlElement& data = dataElementOf(xml);
+	text::XmlFile xml = given;
+	text::XmlElement& data = dataElementOf(xml);
 	bool changes = false;
 	data_files_.clear();
 	std::vector<double> times;
-	const std::vector<std::string> names = giveOwnNames(data);
-	const std::map<std::string, std::string> fields = fieldsOf(data);
+	const std::vector<std::string> names = quick::giveOwnNames(data);
+	const std::map<std::string, std::string> fields = quick::fieldsOf(data);
 	std::erase_if(data.children,
-	              [&](XmlElement& piece)
+	              [&](text::XmlElement& piece)
 	              {
 		              if (!isPieceElement(piece) || !piece.has("Source"))
 			              return false;
@@ -307,11 +310,11 @@ void PlainXml::takeIndex(const XmlFile& given, std::string_view text)
 		              files_.splice(files_.end(), plain.files_);
 		              return false;
 	              });
-	times_ = inOrder(std::move(times));
+	times_ = manifest::inOrder(std::move(times));
 	is_empty_ = data_files_.empty();
 	warn(names);
 	changes |= !names.empty();
-	changes |= respellAttributes(data);
+	changes |= quick::respellAttributes(data);
 	if (is_empty_ || !changes)
 		return;
 	if (!times_.empty())
@@ -321,3 +324,5 @@ void PlainXml::takeIndex(const XmlFile& given, std::string_view text)
 	copy(given, xml, text);
 	data_files_ = std::move(files);
 }
+
+} // namespace vp::reader::vtk

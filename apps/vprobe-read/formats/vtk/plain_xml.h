@@ -11,6 +11,9 @@
 #include <string_view>
 #include <vector>
 
+namespace vp::reader::vtk
+{
+
 // VTK 9.1 reads a VTK XML file wrongly, or not at all, if it holds several times, pieces without points, two arrays of
 // one name, or numbers in text such as nan, 1D2 and 1.0-100. Such a file becomes a copy in memory: of one time, without
 // those pieces, with a name for each array, and with the numbers as bytes. Of an index of pieces, the pieces are looked
@@ -36,13 +39,13 @@ public:
 	const std::vector<std::string>& warnings() const { return warnings_; }
 
 private:
-	void takeData(const XmlFile& xml, std::string_view text);
-	void takeIndex(const XmlFile& xml, std::string_view text);
-	void leaveOutOtherTimes(XmlElement& data);
+	void takeData(const text::XmlFile& xml, std::string_view text);
+	void takeIndex(const text::XmlFile& xml, std::string_view text);
+	void leaveOutOtherTimes(text::XmlElement& data);
 	// Writes the arrays anew where VTK's readers would not know a number. Else they are only looked at; false.
-	bool copyNumbers(const XmlFile& given, XmlFile& xml, std::string_view text);
+	bool copyNumbers(const text::XmlFile& given, text::XmlFile& xml, std::string_view text);
 	// given: the elements of the file; xml: those that stay.
-	void copy(const XmlFile& given, const XmlFile& xml, std::string_view text);
+	void copy(const text::XmlFile& given, const text::XmlFile& xml, std::string_view text);
 	void warn(const std::vector<std::string>& lines);
 	MemoryFile& newFile() { return files_.emplace_back(); }
 
@@ -55,3 +58,5 @@ private:
 	bool has_unknown_text_ = false;
 	bool is_empty_ = false;
 };
+
+} // namespace vp::reader::vtk

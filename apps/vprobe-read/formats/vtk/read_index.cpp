@@ -26,6 +26,9 @@
 #include <filesystem>
 #include <optional>
 
+namespace vp::reader::vtk
+{
+
 namespace fs = std::filesystem;
 
 namespace
@@ -42,11 +45,11 @@ std::string attributeOf(vtkXMLDataElement* element, const char* name)
 
 vtkSmartPointer<vtkXMLDataElement> rootOf(const std::string& file)
 {
-	refuseShortXml(file);
+	checks::refuseShortXml(file);
 	const auto root = vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(file.c_str()));
 	if (!root)
 		throw damaged("its XML cannot be parsed");
-	refuseOnComplaint();
+	checks::refuseOnComplaint();
 	return root;
 }
 
@@ -68,7 +71,7 @@ Request pieceOf(const Request& request, const std::string& file)
 }
 
 void readElements(const Request& request, vtkXMLDataElement* parent, const std::string& path, int depth,
-                  ManifestWriter& manifest)
+                  manifest::Writer& manifest)
 {
 	if (depth > kMaxDepth)
 		throw damaged("its blocks are nested too deeply");
@@ -91,7 +94,7 @@ void readElements(const Request& request, vtkXMLDataElement* parent, const std::
 			if (!manifest.parts().begin(manifest.parts().lists() ? cellsOfXml(piece.file) : 0))
 				continue;
 			const InsidePart inside(manifest.parts());
-			addXml(piece, xmlTypeOfFile(piece.file), manifest);
+			addXml(piece, formats::xmlTypeOfFile(piece.file), manifest);
 		}
 		else if (kind == "Block" || kind == "Piece" || kind == "Partitions")
 			readElements(request, element, full, depth + 1, manifest);
@@ -99,7 +102,7 @@ void readElements(const Request& request, vtkXMLDataElement* parent, const std::
 }
 
 // A file that an index over time names: of any format but such an index.
-void readStep(const Request& request, const std::string& file, ManifestWriter& manifest)
+void readStep(const Request& request, const std::string& file, manifest::Writer& manifest)
 {
 	Request step = request;
 	step.file = beside(request.file, file);
@@ -110,7 +113,7 @@ void readStep(const Request& request, const std::string& file, ManifestWriter& m
 		throw damaged("it names a file that is a list of files itself");
 	if (!fs::is_regular_file(step.file))
 		throw Refusal(fmt::format("its file {} cannot be opened; keep them together", step.file));
-	readAnyFormat(step, manifest);
+	formats::readAnyFormat(step, manifest);
 }
 
 struct Step
@@ -121,15 +124,15 @@ struct Step
 };
 
 // Files of one time are parts of it, as in ParaView.
-void readSteps(const Request& request, const std::vector<Step>& steps, ManifestWriter& manifest)
+void readSteps(const Request& request, const std::vector<Step>& steps, manifest::Writer& manifest)
 {
 	std::vector<double> times;
 	for (const Step& step : steps)
 		times.push_back(step.time);
-	times = inOrder(std::move(times));
+	times = manifest::inOrder(std::move(times));
 	if (times.empty())
 		throw Refusal("nothing to slice: it names no files");
-	const double chosen = chooseTime(times, request);
+	const double chosen = manifest::chooseTime(times, request);
 	const auto parts = std::count_if(steps.begin(), steps.end(), [&](const Step& step) { return step.time == chosen; });
 	for (const Step& step : steps)
 		if (step.time == chosen)
@@ -142,7 +145,7 @@ void readSteps(const Request& request, const std::vector<Step>& steps, ManifestW
 
 } // namespace
 
-void readMultiBlock(const Request& request, const std::string& type, ManifestWriter& manifest)
+void readMultiBlock(const Request& request, const std::string& type, manifest::Writer& manifest)
 {
 	const auto root = rootOf(request.file);
 	vtkXMLDataElement* blocks = root->FindNestedElementWithName(type.c_str());
@@ -151,17 +154,17 @@ void readMultiBlock(const Request& request, const std::string& type, ManifestWri
 	readElements(request, blocks, "", 0, manifest);
 }
 
-void readAmr(const Request& request, const std::string& type, ManifestWriter& manifest)
+void readAmr(const Request& request, const std::string& type, manifest::Writer& manifest)
 {
 	const auto root = rootOf(request.file);
 	vtkXMLDataElement* index = root->FindNestedElementWithName(type.c_str());
 	if (!index)
 		throw damaged(fmt::format("it has no {} element", type));
-	AmrLevels levels = readAmrLevels(index);
+	boxes::AmrLevels levels = boxes::readAmrLevels(index);
 	// Finer levels hide parts of coarser ones and meet them at hanging points, so they stay together.
 	std::size_t cells = 0;
 	for (const auto& boxes : levels.boxes)
-		for (const AmrBox& box : boxes)
+		for (const boxes::AmrBox& box : boxes)
 			cells += cellsOfXml(pieceOf(request, box.file).file);
 	if (!manifest.parts().begin(cells))
 		return;
@@ -169,20 +172,20 @@ void readAmr(const Request& request, const std::string& type, ManifestWriter& ma
 	if (type == "vtkNonOverlappingAMR")
 		levels.ratios.clear();
 	for (std::size_t level = 0; level < levels.boxes.size(); ++level)
-		for (const AmrBox& box : levels.boxes[level])
+		for (const boxes::AmrBox& box : levels.boxes[level])
 		{
 			const Request piece = pieceOf(request, box.file);
-			const auto data = loadXml(piece, xmlTypeOfFile(piece.file), manifest);
+			const auto data = loadXml(piece, formats::xmlTypeOfFile(piece.file), manifest);
 			auto* image = vtkImageData::SafeDownCast(data);
-			if (!image || !hasCellsOf(box, image))
+			if (!image || !boxes::hasCellsOf(box, image))
 				throw damaged(fmt::format("{} is no image of the size that its box has", box.file));
-			markCovered(levels, level, box, image);
+			boxes::markCovered(levels, level, box, image);
 			manifest.setPrefix(fmt::format("level {}, box {}", level, box.number));
 			manifest.add(image);
 		}
 }
 
-void readCollection(const Request& request, ManifestWriter& manifest)
+void readCollection(const Request& request, manifest::Writer& manifest)
 {
 	const auto root = rootOf(request.file);
 	vtkXMLDataElement* collection = root->FindNestedElementWithName("Collection");
@@ -196,8 +199,8 @@ void readCollection(const Request& request, ManifestWriter& manifest)
 		if (element->GetAttribute("timestep"))
 		{
 			const std::string text = attributeOf(element, "timestep");
-			TextCursor at(text);
-			const std::optional<double> time = at.atEnd() ? std::nullopt : vp::parseReal(at.word());
+			text::Cursor at(text);
+			const std::optional<double> time = at.atEnd() ? std::nullopt : parseReal(at.word());
 			if (!time || !std::isfinite(*time) || !at.atEnd())
 				throw damaged(fmt::format("{} is no time", text));
 			step.time = *time;
@@ -210,12 +213,12 @@ void readCollection(const Request& request, ManifestWriter& manifest)
 	readSteps(request, steps, manifest);
 }
 
-void readSeries(const Request& request, ManifestWriter& manifest)
+void readSeries(const Request& request, manifest::Writer& manifest)
 {
 	std::vector<Step> steps;
 	try
 	{
-		const nlohmann::json series = parseJson(MappedText(request.file).text());
+		const nlohmann::json series = text::parseJson(MappedText(request.file).text());
 		for (const auto& file : series.at("files"))
 			steps.push_back({file.at("time").get<double>(), file.at("name").get<std::string>(), ""});
 	}
@@ -226,9 +229,11 @@ void readSeries(const Request& request, ManifestWriter& manifest)
 	std::vector<double> times;
 	for (const Step& step : steps)
 		times.push_back(step.time);
-	StepsInTime in_order = stepsInTime(times, manifest);
-	if (!chooseIfAny(in_order.times, request))
+	manifest::StepsInTime in_order = manifest::stepsInTime(times, manifest);
+	if (!manifest::chooseIfAny(in_order.times, request))
 		throw Refusal("nothing to slice: it names no files");
-	readStep(request, steps[in_order.steps[chooseStep(in_order.times, request)]].file, manifest);
+	readStep(request, steps[in_order.steps[manifest::chooseStep(in_order.times, request)]].file, manifest);
 	manifest.offerTimes(std::move(in_order.times)); // after the file, which may have times of its own
 }
+
+} // namespace vp::reader::vtk

@@ -22,6 +22,9 @@
 #include <string_view>
 #include <vector>
 
+namespace vp::reader::vtk
+{
+
 namespace fs = std::filesystem;
 
 namespace
@@ -140,9 +143,9 @@ bool areApart(const std::vector<Piece>& pieces)
 }
 
 // Of an image, with the places that its points have in the whole, to the last bit.
-void addImagePiece(const Request& request, const Extent& whole, ManifestWriter& manifest)
+void addImagePiece(const Request& request, const Extent& whole, manifest::Writer& manifest)
 {
-	const auto data = loadXml(request, xmlTypeOfFile(request.file), manifest);
+	const auto data = loadXml(request, formats::xmlTypeOfFile(request.file), manifest);
 	auto* image = vtkImageData::SafeDownCast(data);
 	if (!image)
 		throw damaged(fmt::format("{} is no image", request.file));
@@ -168,15 +171,15 @@ std::size_t cellsOfXml(const std::string& file)
 	return static_cast<std::size_t>(fs::file_size(file, ignored)) / kBytesOfCell;
 }
 
-bool readPieces(const Request& request, const std::string& type, ManifestWriter& manifest)
+bool readPieces(const Request& request, const std::string& type, manifest::Writer& manifest)
 {
 	const char* kind = latticeKind(type);
 	if (!manifest.parts().filters() || manifest.parts().isInside() || (type != "PUnstructuredGrid" && !kind))
 		return false;
 	if (manifest.parts().lists()) // of chosen ones each is looked at as it is read
-		refuseShortXml(request.file);
+		checks::refuseShortXml(request.file);
 	else
-		refuseDeepXml(request.file);
+		checks::refuseDeepXml(request.file);
 	const auto root =
 	    vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(request.file.c_str()));
 	vtkXMLDataElement* whole = root ? root->FindNestedElementWithName(type.c_str()) : nullptr;
@@ -210,8 +213,10 @@ bool readPieces(const Request& request, const std::string& type, ManifestWriter&
 		if (type == "PImageData")
 			addImagePiece(of_piece, *extent, manifest);
 		else
-			addXml(of_piece, xmlTypeOfFile(of_piece.file), manifest);
+			addXml(of_piece, formats::xmlTypeOfFile(of_piece.file), manifest);
 	}
 	manifest.parts().endBlock();
 	return true;
 }
+
+} // namespace vp::reader::vtk

@@ -39,16 +39,19 @@
 #include <cstdlib>
 #include <string_view>
 
+namespace vp::reader::vtk
+{
+
 namespace
 {
 
 template <class Reader>
-vtkSmartPointer<vtkDataObject> loadWith(const Request& request, ManifestWriter& manifest)
+vtkSmartPointer<vtkDataObject> loadWith(const Request& request, manifest::Writer& manifest)
 {
 	vtkNew<Reader> reader;
 	reader->SetFileName(request.file.c_str());
 	leaveOutArrays(*reader, request, manifest);
-	updateAtTime(*reader, request, manifest);
+	manifest::updateAtTime(*reader, request, manifest);
 	return reader->GetOutputDataObject(0);
 }
 
@@ -107,7 +110,7 @@ void addNoIds(Filter& filter)
 }
 
 // The leaves of the trees, as voxels with points of their own.
-vtkSmartPointer<vtkDataObject> loadTrees(const Request& request, ManifestWriter& manifest)
+vtkSmartPointer<vtkDataObject> loadTrees(const Request& request, manifest::Writer& manifest)
 {
 	const vtkSmartPointer<vtkDataObject> read = loadWith<vtkXMLHyperTreeGridReader>(request, manifest);
 	const auto trees = vtkHyperTreeGrid::SafeDownCast(read);
@@ -130,7 +133,8 @@ vtkSmartPointer<vtkDataObject> loadTrees(const Request& request, ManifestWriter&
 }
 
 // The layers of a lattice that are asked for. The rest of the file is not read.
-void addSlabs(const Request& request, const std::string& type, const QuickLattice& lattice, ManifestWriter& manifest)
+void addSlabs(const Request& request, const std::string& type, const quick::Lattice& lattice,
+              manifest::Writer& manifest)
 {
 	const auto& points = lattice.points;
 	const std::optional<CellLayers> layers =
@@ -148,7 +152,7 @@ void addSlabs(const Request& request, const std::string& type, const QuickLattic
 namespace
 {
 
-vtkSmartPointer<vtkDataObject> loadPlainXml(const Request& request, const std::string& type, ManifestWriter& manifest)
+vtkSmartPointer<vtkDataObject> loadPlainXml(const Request& request, const std::string& type, manifest::Writer& manifest)
 {
 	if (type == "ImageData")
 		return loadWith<vtkXMLImageDataReader>(request, manifest);
@@ -173,7 +177,7 @@ vtkSmartPointer<vtkDataObject> loadPlainXml(const Request& request, const std::s
 	throw Refusal("a VTK file of type " + type + ", which cannot be read yet; give its pieces one by one");
 }
 
-vtkSmartPointer<vtkDataObject> loadXml(const PlainXml& plain, const std::string& type, ManifestWriter& manifest)
+vtkSmartPointer<vtkDataObject> loadXml(const PlainXml& plain, const std::string& type, manifest::Writer& manifest)
 {
 	if (plain.isEmpty())
 		return nullptr;
@@ -192,16 +196,16 @@ vtkSmartPointer<vtkDataObject> loadXml(const PlainXml& plain, const std::string&
 
 } // namespace
 
-vtkSmartPointer<vtkDataObject> loadXml(const Request& request, const std::string& type, ManifestWriter& manifest)
+vtkSmartPointer<vtkDataObject> loadXml(const Request& request, const std::string& type, manifest::Writer& manifest)
 {
 	if (type.empty())
 		throw damaged(fmt::format("{} is no VTK XML file", request.file));
-	refuseShortXml(request.file);
+	checks::refuseShortXml(request.file);
 	const PlainXml plain(request);
 	return loadXml(plain, type, manifest);
 }
 
-void addXml(const Request& request, const std::string& type, ManifestWriter& manifest)
+void addXml(const Request& request, const std::string& type, manifest::Writer& manifest)
 {
 	// For the test that compares both ways.
 	const bool is_quick = !std::getenv("VPROBE_READ_WITH_VTK") &&
@@ -209,8 +213,8 @@ void addXml(const Request& request, const std::string& type, ManifestWriter& man
 	                      !(request.time == Request::Time::index && request.time_index > 0);
 	if (is_quick && request.convert_to.empty())
 	{
-		refuseShortXml(request.file);
-		const auto lattice = manifest.parts().splits() ? quickLattice(request.file) : std::nullopt;
+		checks::refuseShortXml(request.file);
+		const auto lattice = manifest.parts().splits() ? quick::quickLattice(request.file) : std::nullopt;
 		if (lattice)
 			return addSlabs(request, type, *lattice, manifest);
 		if (!manifest.parts().begin(manifest.parts().lists() ? cellsOfXml(request.file) : 0))
@@ -232,7 +236,7 @@ void addXml(const Request& request, const std::string& type, ManifestWriter& man
 	manifest.addLone(loadXml(request, type, manifest));
 }
 
-void readXml(const Request& request, const std::string& type, ManifestWriter& manifest)
+void readXml(const Request& request, const std::string& type, manifest::Writer& manifest)
 {
 	if (type == "PolyData" || type == "PPolyData")
 		throw Refusal("nothing to slice: polygonal data hold no three-dimensional cells");
@@ -247,7 +251,7 @@ void readXml(const Request& request, const std::string& type, ManifestWriter& ma
 		addXml(request, type, manifest);
 }
 
-void readLegacy(const Request& request, ManifestWriter& manifest)
+void readLegacy(const Request& request, manifest::Writer& manifest)
 {
 	const LegacyCopy copy = copyLegacy(MappedText(request.file).text());
 	for (const std::string& line : copy.warnings)
@@ -261,10 +265,12 @@ void readLegacy(const Request& request, ManifestWriter& manifest)
 	reader->ReadAllColorScalarsOn();
 	reader->ReadAllTCoordsOn();
 	reader->ReadAllFieldsOn();
-	updateAtTime(*reader, request, manifest);
+	manifest::updateAtTime(*reader, request, manifest);
 	if (!reader->GetOutputDataObject(0))
 		throw damaged("no data set was found");
-	if (copy.is_text && endsInsideALine(request.file))
-		manifest.warn(kCutTextWarning);
+	if (copy.is_text && text::endsInsideALine(request.file))
+		manifest.warn(text::kCutTextWarning);
 	manifest.addLone(reader->GetOutputDataObject(0));
 }
+
+} // namespace vp::reader::vtk

@@ -1,6 +1,7 @@
 // VTKHDF 1 and 2 through HDF5: VTK 9.1 reads version 1.0, and takes several times of version 2 for parts.
 #include "read/cell_types.h"
 #include "shared_faces.h"
+#include "vprobe-read/arrays/value_image.h"
 #include "vprobe-read/base/is_one_of.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/cells/structured_blocks.h"
@@ -28,7 +29,10 @@
 #include <cmath>
 #include <utility>
 
-using vp::grid::NumberType;
+namespace vp::reader::vtk
+{
+
+using grid::NumberType;
 
 namespace
 {
@@ -36,25 +40,10 @@ namespace
 const std::string kVtkHdf = "/VTKHDF";
 constexpr std::uint64_t kMaxComponentsOfVtkHdf = 1 << 16;
 
-int vtkTypeOfNumber(NumberType type)
-{
-	constexpr std::array<std::pair<NumberType, int>, 10> types = {{{NumberType::int8, VTK_SIGNED_CHAR},
-	                                                               {NumberType::uint8, VTK_UNSIGNED_CHAR},
-	                                                               {NumberType::int16, VTK_SHORT},
-	                                                               {NumberType::uint16, VTK_UNSIGNED_SHORT},
-	                                                               {NumberType::int32, VTK_INT},
-	                                                               {NumberType::uint32, VTK_UNSIGNED_INT},
-	                                                               {NumberType::int64, VTK_LONG_LONG},
-	                                                               {NumberType::uint64, VTK_UNSIGNED_LONG_LONG},
-	                                                               {NumberType::float32, VTK_FLOAT},
-	                                                               {NumberType::float64, VTK_DOUBLE}}};
-	return std::ranges::find(types, type, [](const auto& each) { return each.first; })->second;
-}
-
 class VtkHdfReader
 {
 public:
-	VtkHdfReader(const Request& request, ManifestWriter& manifest)
+	VtkHdfReader(const Request& request, manifest::Writer& manifest)
 	    : request_(request), manifest_(manifest), file_(request.file), step_(file_, std::nullopt)
 	{
 	}
@@ -68,7 +57,7 @@ public:
 		if (version > 2.0)
 			throw Refusal(fmt::format("VTKHDF of version {}; versions 1 and 2 are read", version));
 		refuseOtherKinds(type);
-		if (const auto step = offerSteps(VtkHdfStep::timesOf(file_), request_, manifest_))
+		if (const auto step = manifest::offerSteps(VtkHdfStep::timesOf(file_), request_, manifest_))
 			step_ = VtkHdfStep(file_, *step);
 		if (type == "ImageData")
 			readImage();
@@ -139,7 +128,7 @@ private:
 		image->SetSpacing(attribute<3>("Spacing").data());
 		if (!file_.realsOr(kVtkHdf, "Direction").empty())
 			image->SetDirectionMatrix(attribute<9>("Direction").data());
-		may_stay_ = isAxisAligned(image->GetDirectionMatrix()) && !file_.has(pathOf("Point", "vtkGhostType")) &&
+		may_stay_ = cells::isAxisAligned(image->GetDirectionMatrix()) && !file_.has(pathOf("Point", "vtkGhostType")) &&
 		            !file_.has(pathOf("Cell", "vtkGhostType"));
 		addLatticeArrays("Point", points, image->GetPointData());
 		addLatticeArrays("Cell", cells, image->GetCellData());
@@ -158,7 +147,7 @@ private:
 		    isOneOf(file_.textOr(pathOf(association, name), "Attribute"), {"HigherOrderDegrees", "RationalWeights"});
 		if (is_needed || request_.arrays.wants(small, name, is_shown))
 			return true;
-		manifest_.noteLeftOut(describeLeftOut(small.c_str(), name, type, static_cast<int>(components)));
+		manifest_.noteLeftOut(manifest::describeLeftOut(small.c_str(), name, type, static_cast<int>(components)));
 		return false;
 	}
 
@@ -191,7 +180,7 @@ private:
 		for (std::size_t i = 0; i < count.size(); ++i)
 			if (i >= sides.size() || count[i] > sides[i] || __builtin_mul_overflow(values, count[i], &values))
 				throw damaged(fmt::format("{} has fewer values than are asked of it", path));
-		const auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(vtkTypeOfNumber(type)));
+		const auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(arrays::vtkTypeOf(type)));
 		array->SetNumberOfComponents(static_cast<int>(components));
 		array->SetNumberOfTuples(static_cast<vtkIdType>(values / components));
 		file_.readSlab(path, begin, count, type, array->GetVoidPointer(0));
@@ -215,13 +204,13 @@ private:
 	                                     const std::vector<std::uint64_t>& lattice, std::uint64_t components,
 	                                     const std::vector<std::uint64_t>& front) const
 	{
-		ValueLayout layout{{}, static_cast<std::uint32_t>(components), type};
+		arrays::ValueLayout layout{{}, static_cast<std::uint32_t>(components), type};
 		for (std::size_t axis = 0; axis < 3; ++axis)
 			layout.points[axis] = static_cast<std::uint32_t>(lattice[2 - axis]);
 		if (!may_stay_ || !request_.leaves(layout.byteCount()))
 			return nullptr;
-		std::optional<StoredPlace> place = file_.storedPlace(path, layout, front);
-		return place ? storedArray(layout, name, std::move(*place)) : nullptr;
+		std::optional<arrays::StoredPlace> place = file_.storedPlace(path, layout, front);
+		return place ? arrays::storedArray(layout, name, std::move(*place)) : nullptr;
 	}
 
 	// Arrays of a file with times have their steps as the slowest side.
@@ -327,7 +316,7 @@ private:
 		// Without faces, which come below: otherwise VTK takes the points of polyhedra for lists of faces.
 		grid->SetCells(vtkUnsignedCharArray::SafeDownCast(types), cells, nullptr, nullptr);
 		const auto* first = static_cast<const std::uint8_t*>(types->GetVoidPointer(0));
-		if (std::find(first, first + parts.all_cells, vp::read::kPolyhedron) != first + parts.all_cells)
+		if (std::find(first, first + parts.all_cells, read::kPolyhedron) != first + parts.all_cells)
 			addPolyhedra(parts, grid);
 	}
 
@@ -384,8 +373,8 @@ private:
 	}
 
 	const Request& request_;
-	ManifestWriter& manifest_;
-	Hdf5File file_;
+	manifest::Writer& manifest_;
+	hdf5::File file_;
 	VtkHdfStep step_;
 	bool has_shown_ = false;
 	bool may_stay_ = false; // arrays of the image, in the file
@@ -393,7 +382,9 @@ private:
 
 } // namespace
 
-void readHdf(const Request& request, ManifestWriter& manifest)
+void readHdf(const Request& request, manifest::Writer& manifest)
 {
 	VtkHdfReader(request, manifest).read();
 }
+
+} // namespace vp::reader::vtk

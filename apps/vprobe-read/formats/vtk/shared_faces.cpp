@@ -2,6 +2,7 @@
 
 #include "base/ids.h"
 #include "read/cell_types.h"
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/is_one_of.h"
 #include "vprobe-read/base/mapped_text.h"
 #include "vprobe-read/base/refusal.h"
@@ -17,12 +18,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 #include <iterator>
 #include <optional>
 #include <utility>
 
-using vp::grid::NumberType;
+namespace vp::reader::vtk
+{
+
+using grid::NumberType;
 
 namespace
 {
@@ -30,25 +33,25 @@ namespace
 // A face lies between two cells at the most, so that lists of faces which name one more often are not of a mesh.
 constexpr std::size_t kMaxUsesOfFace = 16;
 
-const XmlElement* childNamed(const XmlElement& parent, std::string_view name)
+const text::XmlElement* childNamed(const text::XmlElement& parent, std::string_view name)
 {
-	const auto found = std::ranges::find(parent.children, name, &XmlElement::name);
+	const auto found = std::ranges::find(parent.children, name, &text::XmlElement::name);
 	return found == parent.children.end() ? nullptr : &*found;
 }
 
-const XmlElement* listNamed(const XmlElement& piece, std::string_view name)
+const text::XmlElement* listNamed(const text::XmlElement& piece, std::string_view name)
 {
-	const XmlElement* cells = childNamed(piece, "Cells");
+	const text::XmlElement* cells = childNamed(piece, "Cells");
 	if (!cells)
 		return nullptr;
 	const auto found =
-	    std::ranges::find_if(cells->children, [&](const XmlElement& e) { return e.attribute("Name") == name; });
+	    std::ranges::find_if(cells->children, [&](const text::XmlElement& e) { return e.attribute("Name") == name; });
 	return found == cells->children.end() ? nullptr : &*found;
 }
 
-std::uint64_t countIn(const XmlElement& piece, std::string_view name)
+std::uint64_t countIn(const text::XmlElement& piece, std::string_view name)
 {
-	const std::int64_t count = TextCursor(piece.attribute(name)).integer();
+	const std::int64_t count = text::Cursor(piece.attribute(name)).integer();
 	if (count < 0)
 		throw damaged("a piece of a negative size");
 	return static_cast<std::uint64_t>(count);
@@ -58,30 +61,33 @@ std::uint64_t countIn(const XmlElement& piece, std::string_view name)
 class SharedFaceReader
 {
 public:
-	explicit SharedFaceReader(const std::string& path) : path_(path), mapped_(path), xml_(parseXml(mapped_.text())) {}
+	explicit SharedFaceReader(const std::string& path)
+	    : path_(path), mapped_(path), xml_(text::parseXml(mapped_.text()))
+	{
+	}
 
 	std::vector<SharedFaces> pieces()
 	{
 		std::vector<SharedFaces> pieces;
-		const XmlElement* data = xml_ ? childNamed(xml_->root, "UnstructuredGrid") : nullptr;
+		const text::XmlElement* data = xml_ ? childNamed(xml_->root, "UnstructuredGrid") : nullptr;
 		if (!data)
 			return pieces;
-		for (const XmlElement& element : data->children)
+		for (const text::XmlElement& element : data->children)
 			if (element.name == "Piece")
 				pieces.push_back(pieceOf(element));
 		return pieces;
 	}
 
 private:
-	SharedFaces pieceOf(const XmlElement& element)
+	SharedFaces pieceOf(const text::XmlElement& element)
 	{
 		SharedFaces piece;
 		piece.points = countIn(element, "NumberOfPoints");
 		piece.cells = countIn(element, "NumberOfCells");
-		const XmlElement* face_ends = listNamed(element, "polyhedron_offsets");
-		const XmlElement* faces = listNamed(element, "polyhedron_to_faces");
-		const XmlElement* corner_ends = listNamed(element, "face_offsets");
-		const XmlElement* corners = listNamed(element, "face_connectivity");
+		const text::XmlElement* face_ends = listNamed(element, "polyhedron_offsets");
+		const text::XmlElement* faces = listNamed(element, "polyhedron_to_faces");
+		const text::XmlElement* corner_ends = listNamed(element, "face_offsets");
+		const text::XmlElement* corners = listNamed(element, "face_connectivity");
 		piece.has_lists = face_ends && faces && corner_ends && corners;
 		if (!piece.has_lists)
 			return piece;
@@ -112,7 +118,7 @@ private:
 	}
 
 	// The first ones of a list, which may be longer.
-	std::vector<std::int64_t> numbers(const XmlElement& array, std::uint64_t count)
+	std::vector<std::int64_t> numbers(const text::XmlElement& array, std::uint64_t count)
 	{
 		if (array.attribute("format") == "ascii")
 			return numbersOfText(array, count);
@@ -120,24 +126,24 @@ private:
 		{
 			if (!file_)
 				file_.emplace(path_);
-			const NumberType type = ArrayKind(array).type;
+			const NumberType type = quick::ArrayKind(array).type;
 			if (type == NumberType::int32 || type == NumberType::uint32)
 				return numbersOf<std::int32_t>(array, count);
 			if (type == NumberType::int64 || type == NumberType::uint64)
 				return numbersOf<std::int64_t>(array, count);
 		}
-		catch (const NotQuick&)
+		catch (const arrays::NotQuick&)
 		{
 		}
 		throw damaged(fmt::format("the list {} of its polyhedra cannot be read", array.attribute("Name")));
 	}
 
-	std::vector<std::int64_t> numbersOfText(const XmlElement& array, std::uint64_t count) const
+	std::vector<std::int64_t> numbersOfText(const text::XmlElement& array, std::uint64_t count) const
 	{
 		std::string_view text = mapped_.text().substr(array.content_begin, array.content_end - array.content_begin);
 		text = text.substr(0, text.find('<')); // keys stand behind the numbers
-		TextCursor at(text);
-		at.checkedCount(static_cast<std::int64_t>(std::min<std::uint64_t>(count, vp::kMaxBlockIds * 64ull)), 2);
+		text::Cursor at(text);
+		at.checkedCount(static_cast<std::int64_t>(std::min<std::uint64_t>(count, kMaxBlockIds * 64ull)), 2);
 		std::vector<std::int64_t> numbers(count);
 		for (std::int64_t& number : numbers)
 			number = at.integer();
@@ -145,36 +151,32 @@ private:
 	}
 
 	template <class T>
-	std::vector<std::int64_t> numbersOf(const XmlElement& array, std::uint64_t count)
+	std::vector<std::int64_t> numbersOf(const text::XmlElement& array, std::uint64_t count)
 	{
 		if (count > ~std::uint64_t(0) / sizeof(T))
-			throw NotQuick();
+			throw arrays::NotQuick();
 		const std::uint64_t bytes = count * sizeof(T);
 		const auto packed = file_->open(array, bytes); // which has so many
 		if (packed->partBytes() % sizeof(T) != 0)
-			throw NotQuick();
+			throw arrays::NotQuick();
 		std::vector<std::int64_t> numbers;
 		numbers.reserve(count);
-		Scratch scratch;
+		arrays::Scratch scratch;
 		for (std::uint64_t begin = 0; begin < bytes; begin += packed->partBytes())
 		{
 			const auto part = packed->part(begin / packed->partBytes(), bytes - begin, scratch);
 			for (std::size_t at = 0; at + sizeof(T) <= part.size(); at += sizeof(T))
-			{
-				T number;
-				std::memcpy(&number, part.data() + at, sizeof number);
-				numbers.push_back(number);
-			}
+				numbers.push_back(numberAt<T>(part.data() + at));
 		}
 		if (numbers.size() != count)
-			throw NotQuick();
+			throw arrays::NotQuick();
 		return numbers;
 	}
 
 	std::string path_;
 	MappedText mapped_;
-	std::optional<XmlFile> xml_;
-	std::optional<QuickFile> file_;
+	std::optional<text::XmlFile> xml_;
+	std::optional<quick::File> file_;
 };
 
 // The faces of all cells in VTK's form: per polyhedron their number, then each with its size and its points.
@@ -197,14 +199,14 @@ public:
 		for (std::uint64_t c = 0; c < piece.cells; ++c, ++cell_)
 		{
 			locations_.push_back(-1);
-			if (grid_->GetCellType(cell_) != vp::read::kPolyhedron)
+			if (grid_->GetCellType(cell_) != read::kPolyhedron)
 				continue;
 			locations_.back() = static_cast<vtkIdType>(stream_.size());
 			if (piece.has_lists)
 				addCell(piece, c, most);
 			else
 			{
-				const auto faces = polyhedronFaces(grid_, cell_);
+				const auto faces = cells::polyhedronFaces(grid_, cell_);
 				stream_.insert(stream_.end(), faces.begin(), faces.end());
 			}
 		}
@@ -279,7 +281,7 @@ void setSharedFaces(const std::vector<SharedFaces>& pieces, vtkUnstructuredGrid*
 void addSharedFaces(const std::vector<std::string>& files, vtkUnstructuredGrid* grid)
 {
 	const auto* types = grid->GetCellTypesArray();
-	const auto is_polyhedron = [&](vtkIdType cell) { return grid->GetCellType(cell) == vp::read::kPolyhedron; };
+	const auto is_polyhedron = [&](vtkIdType cell) { return grid->GetCellType(cell) == read::kPolyhedron; };
 	vtkIdType first = 0;
 	while (types && first < grid->GetNumberOfCells() && !is_polyhedron(first))
 		++first;
@@ -291,3 +293,5 @@ void addSharedFaces(const std::vector<std::string>& files, vtkUnstructuredGrid* 
 	if (std::ranges::any_of(pieces, &SharedFaces::has_lists))
 		setSharedFaces(pieces, grid);
 }
+
+} // namespace vp::reader::vtk

@@ -6,6 +6,9 @@
 
 class vtkUnstructuredGrid;
 
+namespace vp::reader::vtk
+{
+
 // The faces of the polyhedra of one piece, as VTK 9.4 and later keep them: each once, with lists of them for each cell.
 struct SharedFaces
 {
@@ -23,3 +26,5 @@ void setSharedFaces(const std::vector<SharedFaces>& pieces, vtkUnstructuredGrid*
 // VTK 9.1 reads the polyhedra of .vtu 2.3 without faces. Adds these to the grid that it read from the pieces in these
 // files, one behind the other. Does nothing for files without such lists.
 void addSharedFaces(const std::vector<std::string>& files, vtkUnstructuredGrid* grid);
+
+} // namespace vp::reader::vtk

@@ -11,6 +11,9 @@
 #include <cmath>
 #include <vector>
 
+namespace vp::reader::vtk
+{
+
 namespace
 {
 
@@ -85,3 +88,5 @@ bool setLeafPoints(vtkHyperTreeGrid* trees, vtkUnstructuredGrid* leaves)
 	leaves->SetPoints(points);
 	return true;
 }
+
+} // namespace vp::reader::vtk

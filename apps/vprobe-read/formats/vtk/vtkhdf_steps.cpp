@@ -6,6 +6,9 @@
 
 #include <numeric>
 
+namespace vp::reader::vtk
+{
+
 namespace
 {
 
@@ -17,7 +20,7 @@ const std::string kStepsGroup = "/VTKHDF/Steps";
 
 } // namespace
 
-std::vector<double> VtkHdfStep::timesOf(const Hdf5File& file)
+std::vector<double> VtkHdfStep::timesOf(const hdf5::File& file)
 {
 	if (!file.has(kStepsGroup))
 		return {};
@@ -39,7 +42,7 @@ std::optional<std::uint64_t> VtkHdfStep::entry(const std::string& list) const
 	return static_cast<std::uint64_t>(number);
 }
 
-std::vector<std::uint64_t> vtkHdfCounts(const Hdf5File& file, const std::string& list, std::uint64_t first,
+std::vector<std::uint64_t> vtkHdfCounts(const hdf5::File& file, const std::string& list, std::uint64_t first,
                                         std::uint64_t count)
 {
 	const std::vector<std::int64_t> numbers = file.integersFrom("/VTKHDF/" + list, first, count);
@@ -55,7 +58,7 @@ std::uint64_t vtkHdfSum(const std::vector<std::uint64_t>& counts, std::size_t en
 	return std::accumulate(counts.begin(), counts.begin() + static_cast<std::ptrdiff_t>(end), std::uint64_t(0));
 }
 
-VtkHdfParts::VtkHdfParts(const Hdf5File& file, const VtkHdfStep& step)
+VtkHdfParts::VtkHdfParts(const hdf5::File& file, const VtkHdfStep& step)
 {
 	const std::vector<std::uint64_t> sides = file.sidesOf("/VTKHDF/NumberOfPoints");
 	const std::uint64_t all = sides.empty() ? 0 : sides[0];
@@ -85,3 +88,5 @@ VtkHdfParts::VtkHdfParts(const Hdf5File& file, const VtkHdfStep& step)
 	first_cell = before("CellOffsets", "NumberOfCells");
 	first_id = before("ConnectivityIdOffsets", "NumberOfConnectivityIds");
 }
+
+} // namespace vp::reader::vtk

@@ -7,15 +7,18 @@
 #include <string>
 #include <vector>
 
+namespace vp::reader::vtk
+{
+
 // Which values of a VTKHDF file belong to one time. After the specification of VTKHDF 2: all times lie behind each
 // other, and the group Steps says where each begins. Files without that group have one time.
 class VtkHdfStep
 {
 public:
 	// Throws a Refusal where the group is damaged.
-	static std::vector<double> timesOf(const Hdf5File& file);
+	static std::vector<double> timesOf(const hdf5::File& file);
 
-	VtkHdfStep(const Hdf5File& file, std::optional<std::uint64_t> step) : file_(&file), step_(step) {}
+	VtkHdfStep(const hdf5::File& file, std::optional<std::uint64_t> step) : file_(&file), step_(step) {}
 
 	bool isOneOfSeveral() const { return step_.has_value(); }
 	std::uint64_t number() const { return step_.value_or(0); }
@@ -28,14 +31,14 @@ public:
 	}
 
 private:
-	const Hdf5File* file_;
+	const hdf5::File* file_;
 	std::optional<std::uint64_t> step_;
 };
 
 // The parts of an unstructured grid at one time. Lists of all parts follow each other in the file.
 struct VtkHdfParts
 {
-	VtkHdfParts(const Hdf5File& file, const VtkHdfStep& step);
+	VtkHdfParts(const hdf5::File& file, const VtkHdfStep& step);
 
 	std::uint64_t first = 0;                       // part
 	std::vector<std::uint64_t> points, cells, ids; // of each part
@@ -46,7 +49,9 @@ struct VtkHdfParts
 };
 
 // Numbers of parts as they are in a list of the file, from one part on, with their sum checked.
-std::vector<std::uint64_t> vtkHdfCounts(const Hdf5File& file, const std::string& list, std::uint64_t first,
+std::vector<std::uint64_t> vtkHdfCounts(const hdf5::File& file, const std::string& list, std::uint64_t first,
                                         std::uint64_t count);
 // Their sum, up to before a part.
 std::uint64_t vtkHdfSum(const std::vector<std::uint64_t>& counts, std::size_t end);
+
+} // namespace vp::reader::vtk

@@ -9,13 +9,16 @@
 #include <numeric>
 #include <string_view>
 
+namespace vp::reader::wrapped
+{
+
 namespace
 {
 
 constexpr std::size_t kCopyChunk = std::size_t(1) << 24;
 
 // The data sets with the times of all bases.
-std::vector<std::string> timeSets(const Hdf5File& file)
+std::vector<std::string> timeSets(const hdf5::File& file)
 {
 	std::vector<std::string> sets;
 	for (const std::string& base : cgnsChildren(file, "/", "CGNSBase_t"))
@@ -33,7 +36,7 @@ Refusal doNotRise()
 
 } // namespace
 
-std::vector<std::string> cgnsChildren(const Hdf5File& file, const std::string& parent, std::string_view label)
+std::vector<std::string> cgnsChildren(const hdf5::File& file, const std::string& parent, std::string_view label)
 {
 	std::vector<std::string> found;
 	for (const std::string& child : file.namesIn(parent))
@@ -43,7 +46,7 @@ std::vector<std::string> cgnsChildren(const Hdf5File& file, const std::string& p
 	return found;
 }
 
-std::vector<double> unsortedCgnsTimes(const Hdf5File& file)
+std::vector<double> unsortedCgnsTimes(const hdf5::File& file)
 {
 	std::vector<std::vector<double>> all;
 	for (const std::string& set : timeSets(file))
@@ -55,7 +58,7 @@ std::vector<double> unsortedCgnsTimes(const Hdf5File& file)
 	return all.front();
 }
 
-std::unique_ptr<MemoryFile> withNumberedSteps(const Hdf5File& file, const std::string& path)
+std::unique_ptr<MemoryFile> withNumberedSteps(const hdf5::File& file, const std::string& path)
 {
 	auto copy = std::make_unique<MemoryFile>();
 	{
@@ -65,11 +68,11 @@ std::unique_ptr<MemoryFile> withNumberedSteps(const Hdf5File& file, const std::s
 			copy->append(rest.substr(0, kCopyChunk));
 		copy->end();
 	}
-	const Hdf5Handle opened(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+	const hdf5::Handle opened(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
 	for (const std::string& set : timeSets(file))
 	{
-		const Hdf5Handle times(H5Dopen2(opened, set.c_str(), H5P_DEFAULT), H5Dclose);
-		const Hdf5Handle type(H5Dget_type(times), H5Tclose);
+		const hdf5::Handle times(H5Dopen2(opened, set.c_str(), H5P_DEFAULT), H5Dclose);
+		const hdf5::Handle type(H5Dget_type(times), H5Tclose);
 		const haddr_t place = H5Dget_offset(times);
 		if (place == HADDR_UNDEF || H5Tget_class(type) != H5T_FLOAT)
 			throw doNotRise();
@@ -84,3 +87,5 @@ std::unique_ptr<MemoryFile> withNumberedSteps(const Hdf5File& file, const std::s
 	}
 	return copy;
 }
+
+} // namespace vp::reader::wrapped

@@ -26,7 +26,8 @@
 #include <cmath>
 #include <numeric>
 
-using vp::Vec3;
+namespace vp::reader::wrapped
+{
 
 namespace
 {
@@ -34,7 +35,7 @@ namespace
 // Another order of the nodes in faces must bring them this much nearer to the faces' middles than the manual's.
 constexpr double kClearlyNearer = 0.99;
 
-std::vector<std::int64_t> blockIds(const NetcdfFile& file, std::size_t blocks)
+std::vector<std::int64_t> blockIds(const hdf5::NetcdfFile& file, std::size_t blocks)
 {
 	std::vector<std::int64_t> ids(blocks);
 	std::iota(ids.begin(), ids.end(), 1);
@@ -52,7 +53,7 @@ std::string familyOf(std::string name)
 }
 
 // The numbers of the points of each cell, from 0.
-std::vector<vtkIdType> connectivityOf(const NetcdfFile& file, const OddExodusBlock& block, vtkIdType points)
+std::vector<vtkIdType> connectivityOf(const hdf5::NetcdfFile& file, const OddExodusBlock& block, vtkIdType points)
 {
 	const std::vector<double> given = file.values(file.variable(block.connectivity.c_str()));
 	std::vector<vtkIdType> ids;
@@ -129,7 +130,8 @@ void leaveOutPoints(vtkMultiBlockDataSet* parent, unsigned int child, vtkUnstruc
 
 // For each of the element's nodes in faces and inside, the node of the cell that it is. Writers list these in more than
 // one order, so their places tell: in the right order they are where the edges about them say, or near there.
-std::vector<std::uint8_t> bestOrder(const ExodusForm& form, const std::vector<vtkIdType>& ids, const NewNodes& at)
+std::vector<std::uint8_t> bestOrder(const ExodusForm& form, const std::vector<vtkIdType>& ids,
+                                    const cells::NewNodes& at)
 {
 	const std::size_t size = form.nodes.size();
 	const std::size_t others = size - form.in_place;
@@ -176,7 +178,7 @@ std::vector<std::uint8_t> bestOrder(const ExodusForm& form, const std::vector<vt
 	return nodes;
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> rebuilt(const NetcdfFile& file, const OddExodusBlock& block,
+vtkSmartPointer<vtkUnstructuredGrid> rebuilt(const hdf5::NetcdfFile& file, const OddExodusBlock& block,
                                              vtkUnstructuredGrid* grid)
 {
 	ExodusForm form = exodusForms()[block.form];
@@ -186,7 +188,7 @@ vtkSmartPointer<vtkUnstructuredGrid> rebuilt(const NetcdfFile& file, const OddEx
 		throw damaged(
 		    fmt::format("block {} lists {} nodes for {} cells", block.id, ids.size(), grid->GetNumberOfCells()));
 	const auto made = withUsedPoints(grid, ids);
-	NewNodes nodes(made);
+	cells::NewNodes nodes(made);
 	std::ranges::copy(bestOrder(form, ids, nodes), form.nodes.begin() + static_cast<std::ptrdiff_t>(form.in_place));
 	const std::vector<std::vector<double>> weights = form.weights();
 	const FullCell& cell = *form.cell;
@@ -233,7 +235,7 @@ vtkSmartPointer<vtkUnstructuredGrid> rebuilt(const NetcdfFile& file, const OddEx
 
 std::vector<OddExodusBlock> oddExodusBlocks(const std::string& path)
 {
-	const NetcdfFile file(path);
+	const hdf5::NetcdfFile file(path);
 	const std::size_t blocks = std::min(file.length("num_el_blk"), std::size_t(1) << 20);
 	const std::vector<std::int64_t> ids = blockIds(file, blocks);
 	std::vector<OddExodusBlock> odd;
@@ -265,7 +267,7 @@ std::vector<OddExodusBlock> oddExodusBlocks(const std::string& path)
 void putExodusCellsRight(const std::string& path, const std::vector<OddExodusBlock>& odd, vtkExodusIIReader* reader,
                          vtkMultiBlockDataSet* objects)
 {
-	const NetcdfFile file(path);
+	const hdf5::NetcdfFile file(path);
 	for (unsigned int kind = 0; kind < objects->GetNumberOfBlocks(); ++kind)
 	{
 		auto* children = vtkMultiBlockDataSet::SafeDownCast(objects->GetBlock(kind));
@@ -290,3 +292,5 @@ void putExodusCellsRight(const std::string& path, const std::vector<OddExodusBlo
 		}
 	}
 }
+
+} // namespace vp::reader::wrapped

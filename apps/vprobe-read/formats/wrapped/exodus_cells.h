@@ -7,6 +7,9 @@
 class vtkExodusIIReader;
 class vtkMultiBlockDataSet;
 
+namespace vp::reader::wrapped
+{
+
 // A block of elements whose nodes VTK's reader mixes up.
 struct OddExodusBlock
 {
@@ -24,3 +27,5 @@ std::vector<OddExodusBlock> oddExodusBlocks(const std::string& file);
 // placed where the element's shape functions put it.
 void putExodusCellsRight(const std::string& file, const std::vector<OddExodusBlock>& odd, vtkExodusIIReader* reader,
                          vtkMultiBlockDataSet* objects);
+
+} // namespace vp::reader::wrapped

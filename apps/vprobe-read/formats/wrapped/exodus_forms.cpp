@@ -6,6 +6,9 @@
 #include <array>
 #include <numeric>
 
+namespace vp::reader::wrapped
+{
+
 namespace
 {
 
@@ -205,3 +208,5 @@ std::vector<std::vector<double>> ExodusForm::weights() const
 	}
 	return all;
 }
+
+} // namespace vp::reader::wrapped

@@ -6,6 +6,9 @@
 #include <string_view>
 #include <vector>
 
+namespace vp::reader::wrapped
+{
+
 // A cell of VTK's with nodes in all of its edges and faces and inside it. Its nodes are known by the corners between
 // which they lie: one for a corner, two for an edge, three or four for a face, more for the inside.
 struct FullCell
@@ -35,3 +38,5 @@ bool isPlainExodus(std::string_view family, std::size_t nodes);
 
 // What to name in place of a type that is refused; nothing where the family is none of solid cells.
 std::optional<std::string_view> plainExodusNames(std::string_view family);
+
+} // namespace vp::reader::wrapped

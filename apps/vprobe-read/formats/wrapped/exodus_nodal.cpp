@@ -10,11 +10,14 @@
 #include <algorithm>
 #include <cmath>
 
+namespace vp::reader::wrapped
+{
+
 namespace
 {
 
 // Of a row of names, without the zeros behind it.
-std::vector<std::string> exodusNames(const NetcdfFile& file, const char* name)
+std::vector<std::string> exodusNames(const hdf5::NetcdfFile& file, const char* name)
 {
 	const int variable = file.variable(name);
 	nc_type type = NC_NAT;
@@ -24,7 +27,7 @@ std::vector<std::string> exodusNames(const NetcdfFile& file, const char* name)
 	if (sides.size() != 2 || sides[0].second > 1 << 16 || sides[1].second > 1 << 12)
 		return {};
 	std::string text(sides[0].second * sides[1].second, '\0');
-	NetcdfFile::check(nc_get_var_text(file.id(), variable, text.data()));
+	hdf5::NetcdfFile::check(nc_get_var_text(file.id(), variable, text.data()));
 	std::vector<std::string> names;
 	for (std::size_t row = 0; row < sides[0].second; ++row)
 	{
@@ -37,7 +40,7 @@ std::vector<std::string> exodusNames(const NetcdfFile& file, const char* name)
 }
 
 // Whether all nodes of a block's elements are nodes of the file.
-void checkExodusElements(const NetcdfFile& file, int variable, std::size_t block)
+void checkExodusElements(const hdf5::NetcdfFile& file, int variable, std::size_t block)
 {
 	constexpr std::size_t kAtOnce = 1 << 20;
 	const auto nodes = static_cast<long long>(file.length("num_nodes"));
@@ -57,7 +60,8 @@ void checkExodusElements(const NetcdfFile& file, int variable, std::size_t block
 		starts[0] = row;
 		counts[0] = std::min(rows - row, std::max<std::size_t>(kAtOnce / std::max<std::size_t>(width, 1), 1));
 		corners.resize(counts[0] * width);
-		NetcdfFile::check(nc_get_vara_longlong(file.id(), variable, starts.data(), counts.data(), corners.data()));
+		hdf5::NetcdfFile::check(
+		    nc_get_vara_longlong(file.id(), variable, starts.data(), counts.data(), corners.data()));
 		for (const long long corner : corners)
 			if (corner < 1 || corner > nodes)
 				throw damaged(fmt::format("an element of its block {} has the node {} of {}", block, corner, nodes));
@@ -65,7 +69,7 @@ void checkExodusElements(const NetcdfFile& file, int variable, std::size_t block
 }
 
 // VTK's reader crashes where a block lacks what tells of its elements.
-void checkExodusBlocks(const NetcdfFile& file)
+void checkExodusBlocks(const hdf5::NetcdfFile& file)
 {
 	const std::size_t blocks = file.length("num_el_blk");
 	const int status = file.variable("eb_status");
@@ -90,7 +94,7 @@ void checkExodusBlocks(const NetcdfFile& file)
 
 void refuseMissingExodus(const std::string& path)
 {
-	const NetcdfFile file(path);
+	const hdf5::NetcdfFile file(path);
 	// The library makes room for names of this length.
 	constexpr double kMaxNameLength = 1 << 16;
 	const std::vector<double> name_length = file.numbers(NC_GLOBAL, "maximum_name_length");
@@ -118,7 +122,7 @@ void refuseMissingExodus(const std::string& path)
 
 bool hasOddExodusNodes(const std::string& path)
 {
-	const NetcdfFile file(path);
+	const hdf5::NetcdfFile file(path);
 	const std::vector<double> large = file.numbers(NC_GLOBAL, "file_size");
 	const bool is_large = !large.empty() && large[0] != 0.0;
 	if (is_large || file.length("num_nod_var") == 0 || file.variable("vals_nod_var") >= 0)
@@ -130,7 +134,7 @@ bool hasOddExodusNodes(const std::string& path)
 
 std::vector<vtkSmartPointer<vtkDoubleArray>> oddExodusNodes(const std::string& path, std::size_t step)
 {
-	const NetcdfFile file(path);
+	const hdf5::NetcdfFile file(path);
 	const std::size_t nodes = file.length("num_nodes");
 	const std::vector<std::string> names = exodusNames(file, "name_nod_var");
 	std::vector<vtkSmartPointer<vtkDoubleArray>> arrays;
@@ -157,7 +161,7 @@ std::vector<vtkSmartPointer<vtkDoubleArray>> oddExodusNodes(const std::string& p
 
 std::vector<std::string> repeatedExodusNames(const std::string& path)
 {
-	const NetcdfFile file(path);
+	const hdf5::NetcdfFile file(path);
 	std::vector<std::string> repeated;
 	for (const char* list : {"name_nod_var", "name_elem_var"})
 	{
@@ -172,7 +176,9 @@ std::vector<std::string> repeatedExodusNames(const std::string& path)
 
 std::vector<double> exodusTimes(const std::string& path)
 {
-	const NetcdfFile file(path);
+	const hdf5::NetcdfFile file(path);
 	const int variable = file.variable("time_whole");
 	return variable < 0 ? std::vector<double>() : file.values(variable);
 }
+
+} // namespace vp::reader::wrapped

@@ -8,6 +8,9 @@
 
 class vtkDoubleArray;
 
+namespace vp::reader::wrapped
+{
+
 // Looks for what VTK's reader takes for there: variables of elements that the file's table names and that are missing,
 // which it fills with nothing, and what tells of the elements, and their nodes, without which it crashes. Throws a
 // Refusal for them.
@@ -25,3 +28,5 @@ std::vector<double> exodusTimes(const std::string& file);
 
 // Names that more than one variable of nodes, or of elements, has: VTK's reader gives one of them.
 std::vector<std::string> repeatedExodusNames(const std::string& file);
+
+} // namespace vp::reader::wrapped

@@ -18,11 +18,14 @@
 #include <cmath>
 #include <vector>
 
+namespace vp::reader::wrapped
+{
+
 namespace
 {
 
 // The coordinates of all nodes, axis by axis; fewer than three axes in a flat file.
-std::vector<std::vector<double>> exodusCoordinates(const NetcdfFile& file)
+std::vector<std::vector<double>> exodusCoordinates(const hdf5::NetcdfFile& file)
 {
 	const std::size_t nodes = file.length("num_nodes");
 	std::vector<std::vector<double>> axes;
@@ -77,12 +80,12 @@ bool setPointsOf(vtkPointSet* data, vtkDataArray* ids, const std::vector<std::ve
 
 bool hasDoubleExodusPoints(const std::string& path)
 {
-	const NetcdfFile file(path);
+	const hdf5::NetcdfFile file(path);
 	for (const char* name : {"coord", "coordx", "coordy", "coordz"})
 	{
 		nc_type type = NC_NAT;
 		if (const int variable = file.variable(name); variable >= 0)
-			NetcdfFile::check(nc_inq_vartype(file.id(), variable, &type));
+			hdf5::NetcdfFile::check(nc_inq_vartype(file.id(), variable, &type));
 		if (type == NC_DOUBLE)
 			return true;
 	}
@@ -91,7 +94,7 @@ bool hasDoubleExodusPoints(const std::string& path)
 
 bool setExodusPoints(const std::string& path, vtkMultiBlockDataSet* objects)
 {
-	const std::vector<std::vector<double>> axes = exodusCoordinates(NetcdfFile(path));
+	const std::vector<std::vector<double>> axes = exodusCoordinates(hdf5::NetcdfFile(path));
 	const auto leaf = vtkSmartPointer<vtkCompositeDataIterator>::Take(objects->NewIterator());
 	bool all_set = true;
 	for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
@@ -104,3 +107,5 @@ bool setExodusPoints(const std::string& path, vtkMultiBlockDataSet* objects)
 	}
 	return all_set;
 }
+
+} // namespace vp::reader::wrapped

@@ -1,6 +1,7 @@
 #include "plot3d_layout.h"
 
 #include "plot3d_text.h"
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/mapped_text.h"
 #include "vprobe-read/base/refusal.h"
 
@@ -12,6 +13,9 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
+
+namespace vp::reader::wrapped
+{
 
 namespace
 {
@@ -45,12 +49,10 @@ public:
 			const bool is_count = number >= 0.0 && number < 4294967296.0 && number == std::floor(number);
 			return is_count ? std::optional(static_cast<std::uint64_t>(number)) : std::nullopt;
 		}
-		std::array<unsigned char, 4> bytes;
-		if (!in_.read(reinterpret_cast<char*>(bytes.data()), 4))
+		std::array<char, 4> bytes;
+		if (!in_.read(bytes.data(), 4))
 			return std::nullopt;
-		if (layout_.little_endian)
-			std::swap(bytes[0], bytes[3]), std::swap(bytes[1], bytes[2]);
-		return std::uint64_t(bytes[0]) << 24 | bytes[1] << 16 | bytes[2] << 8 | bytes[3];
+		return numberAt<std::uint32_t>(bytes.data(), byteOrder(!layout_.little_endian));
 	}
 	bool recordMark(std::uint64_t bytes) { return !layout_.byte_counts || next() == bytes; }
 
@@ -202,3 +204,5 @@ void refuseShortSolution(const std::string& solution, const Plot3dLayout& grid)
 	if (there < wanted)
 		throw damaged(fmt::format("the solution {} has {} bytes where its grid asks for {}", solution, there, wanted));
 }
+
+} // namespace vp::reader::wrapped

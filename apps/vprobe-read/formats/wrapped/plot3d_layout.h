@@ -5,6 +5,9 @@
 #include <string>
 #include <vector>
 
+namespace vp::reader::wrapped
+{
+
 // How a PLOT3D grid file is laid out. Nothing in such a file says so: the layout is the one whose size fits the file's.
 struct Plot3dLayout
 {
@@ -23,3 +26,5 @@ Plot3dLayout findPlot3dLayout(const std::string& file);
 
 // Throws a Refusal if a binary q file is shorter than the solution on such a grid.
 void refuseShortSolution(const std::string& solution, const Plot3dLayout& grid);
+
+} // namespace vp::reader::wrapped

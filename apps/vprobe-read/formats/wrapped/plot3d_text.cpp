@@ -12,6 +12,9 @@
 #include <limits>
 #include <span>
 
+namespace vp::reader::wrapped
+{
+
 namespace
 {
 
@@ -95,7 +98,7 @@ std::vector<double> fortranNumbers(std::string_view text)
 				throw damaged(fmt::format("\"{}\" repeats a number in a way that cannot be", whole.substr(0, 40)));
 			word.remove_prefix(star + 1);
 		}
-		const std::optional<double> number = vp::parseReal(word);
+		const std::optional<double> number = parseReal(word);
 		if (!number)
 			throw damaged(fmt::format("\"{}\" where a number is wanted", whole.substr(0, 40)));
 		numbers.insert(numbers.end(), times, *number);
@@ -127,3 +130,5 @@ void writeSolutionAsBytes(const std::vector<double>& numbers, const Plot3dLayout
 		bytes.takeReal(4 + pointsOfBlock(block) * (grid.flat ? 4 : 5));
 	bytes.end();
 }
+
+} // namespace vp::reader::wrapped

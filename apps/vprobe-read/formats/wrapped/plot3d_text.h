@@ -7,6 +7,9 @@
 #include <string_view>
 #include <vector>
 
+namespace vp::reader::wrapped
+{
+
 // The numbers of a text that Fortran wrote: blanks or commas stand between them, 3*0.5 is three of them, and each may
 // be written in every way of base/real_text.h. Throws a Refusal for a word that is no number.
 std::vector<double> fortranNumbers(std::string_view text);
@@ -16,3 +19,5 @@ std::vector<double> fortranNumbers(std::string_view text);
 void writeGridAsBytes(const std::vector<double>& numbers, const Plot3dLayout& layout, MemoryFile& to);
 void writeSolutionAsBytes(const std::vector<double>& numbers, const Plot3dLayout& grid, const std::string& name,
                           MemoryFile& to);
+
+} // namespace vp::reader::wrapped

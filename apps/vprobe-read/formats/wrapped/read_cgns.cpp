@@ -1,4 +1,5 @@
 #include "cgns_steps.h"
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/mapped_text.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/base/stand_in.h"
@@ -25,6 +26,9 @@
 #include <string_view>
 #include <vector>
 
+namespace vp::reader::wrapped
+{
+
 namespace
 {
 
@@ -45,14 +49,6 @@ std::optional<std::uint64_t> hexadecimal(std::string_view digits)
 	return value;
 }
 
-std::uint64_t wholeOf(std::string_view bytes, bool is_big_endian)
-{
-	std::uint64_t value = 0;
-	for (std::size_t b = 0; b < bytes.size(); ++b)
-		value = value << 8 | static_cast<unsigned char>(bytes[is_big_endian ? b : bytes.size() - 1 - b]);
-	return value;
-}
-
 void refuseShortAdf(const std::string& file)
 {
 	std::array<char, kAdfEndAt + 12> head = {};
@@ -65,9 +61,9 @@ void refuseShortAdf(const std::string& file)
 	auto offset = hexadecimal(text.substr(kAdfEndAt + 8, 4));
 	if (text[kAdfVersionAt] != 'A')
 	{
-		const bool is_big_endian = text[kAdfOrderAt] == 'B';
-		block = wholeOf(text.substr(kAdfEndAt, 8), is_big_endian);
-		offset = wholeOf(text.substr(kAdfEndAt + 8, 4), is_big_endian);
+		const ByteOrder order = byteOrder(text[kAdfOrderAt] == 'B');
+		block = numberAt<std::uint64_t>(head.data() + kAdfEndAt, order);
+		offset = numberAt<std::uint32_t>(head.data() + kAdfEndAt + 8, order);
 	}
 	if (!in || !block || !offset || *block > std::uint64_t(1) << 50)
 		throw damaged("its header cannot be followed");
@@ -82,7 +78,7 @@ constexpr std::array<int, 22> kCgnsNodes = {0, 0, 1, 2, 3, 3, 6, 4, 8, 9, 4, 10,
 constexpr std::int64_t kCgnsMixed = 20, kCgnsPyramid13 = 21;
 
 // Whether a section of mixed types has pyramids of 13 nodes.
-bool hasPyramids13(const Hdf5File& file, const std::string& list)
+bool hasPyramids13(const hdf5::File& file, const std::string& list)
 {
 	constexpr std::uint64_t chunk = 1 << 20;
 	const std::vector<std::uint64_t> sides = file.sidesOf(list);
@@ -108,7 +104,7 @@ bool hasPyramids13(const Hdf5File& file, const std::string& list)
 }
 
 // VTK's reader leaves pyramids of 13 nodes out without a word.
-void refusePyramids13(const Hdf5File& file)
+void refusePyramids13(const hdf5::File& file)
 {
 	for (const std::string& base : cgnsChildren(file, "/", "CGNSBase_t"))
 		for (const std::string& zone : cgnsChildren(file, base, "Zone_t"))
@@ -127,7 +123,7 @@ void refusePyramids13(const Hdf5File& file)
 }
 
 // VTK's reader shows the last of the steps that have one time.
-void tellOfEqualTimes(const Hdf5File& file, ManifestWriter& manifest)
+void tellOfEqualTimes(const hdf5::File& file, manifest::Writer& manifest)
 {
 	for (const std::string& base : cgnsChildren(file, "/", "CGNSBase_t"))
 		for (const std::string& steps : cgnsChildren(file, base, "BaseIterativeData_t"))
@@ -135,7 +131,7 @@ void tellOfEqualTimes(const Hdf5File& file, ManifestWriter& manifest)
 			if (!file.isSet(steps + "/TimeValues/ data"))
 				continue;
 			const std::vector<double> times = file.reals(steps + "/TimeValues/ data");
-			if (const std::size_t distinct = inOrder(times).size(); distinct < times.size())
+			if (const std::size_t distinct = manifest::inOrder(times).size(); distinct < times.size())
 				manifest.warn(fmt::format("{} of its {} steps have the time of another; the last one of each time is "
 				                          "shown",
 				                          times.size() - distinct, times.size()));
@@ -144,15 +140,15 @@ void tellOfEqualTimes(const Hdf5File& file, ManifestWriter& manifest)
 
 } // namespace
 
-void readCgns(const Request& request, ManifestWriter& manifest)
+void readCgns(const Request& request, manifest::Writer& manifest)
 {
 	refuseShortAdf(request.file);
-	refuseMissingParts(request.file);
+	hdf5::refuseMissingParts(request.file);
 	std::vector<double> times;                                  // if they do not rise
 	std::unique_ptr<MemoryFile> numbered;                       // a copy that VTK's reader takes then
 	if (MappedText(request.file).text().starts_with("\x89HDF")) // files of ADF are not looked at
 	{
-		const Hdf5File file(request.file);
+		const hdf5::File file(request.file);
 		refusePyramids13(file);
 		times = unsortedCgnsTimes(file);
 		if (times.empty())
@@ -164,10 +160,10 @@ void readCgns(const Request& request, ManifestWriter& manifest)
 	std::optional<StandIn> stands_in;
 	if (numbered)
 	{
-		const StepsInTime steps = stepsInTime(times, manifest);
+		const manifest::StepsInTime steps = manifest::stepsInTime(times, manifest);
 		stands_in.emplace(request.file, numbered->path());
 		at.time = Request::Time::nearest;
-		at.time_value = static_cast<double>(steps.steps[chooseStep(steps.times, request)]);
+		at.time_value = static_cast<double>(steps.steps[manifest::chooseStep(steps.times, request)]);
 	}
 	vtkNew<vtkCGNSReader> reader;
 	if (!reader->CanReadFile(request.file.c_str()))
@@ -180,17 +176,17 @@ void readCgns(const Request& request, ManifestWriter& manifest)
 	reader->EnableAllCellArrays();
 	reader->SetLoadBndPatch(false);
 	reader->SetDoublePrecisionMesh(1);
-	updateAtTime(*reader, at, manifest);
-	if (wasNoted("refer to invalid solution nodes"))
+	manifest::updateAtTime(*reader, at, manifest);
+	if (checks::wasNoted("refer to invalid solution nodes"))
 	{
 		// The reader would show the first solution at each time.
 		reader->SetUseUnsteadyPattern(true);
-		updateAtTime(*reader, at, manifest);
+		manifest::updateAtTime(*reader, at, manifest);
 		manifest.warn("solutions belong to times by the number at the end of their names; where none fits, the first "
 		              "one is shown");
 	}
 	if (numbered)
-		manifest.offerTimes(stepsInTime(times, manifest).times);
+		manifest.offerTimes(manifest::stepsInTime(times, manifest).times);
 	manifest.add(reader->GetOutputDataObject(0));
 	// Names stand in both kinds of CGNS files as they are.
 	if (manifest.isEmpty() && MappedText(request.file).text().find("ParentElements") != std::string_view::npos)
@@ -198,3 +194,5 @@ void readCgns(const Request& request, ManifestWriter& manifest)
 		    "nothing to slice: only the ParentElements of its faces tell the cells, which are not read; write "
 		    "sections of NFACE_n as well");
 }
+
+} // namespace vp::reader::wrapped

@@ -23,6 +23,9 @@
 
 #include <string_view>
 
+namespace vp::reader::wrapped
+{
+
 namespace
 {
 
@@ -81,10 +84,10 @@ void forgetNodes(vtkMultiBlockDataSet* objects)
 
 } // namespace
 
-void readExodus(const Request& request, ManifestWriter& manifest)
+void readExodus(const Request& request, manifest::Writer& manifest)
 {
-	refuseShortNetcdf(request.file);
-	refuseMissingParts(request.file);
+	checks::refuseShortNetcdf(request.file);
+	hdf5::refuseMissingParts(request.file);
 	vtkNew<vtkExodusIIReader> reader;
 	if (!reader->CanReadFile(request.file.c_str()))
 		throw Refusal("not an Exodus II file, though its first bytes are netCDF's or HDF5's");
@@ -92,7 +95,7 @@ void readExodus(const Request& request, ManifestWriter& manifest)
 	reader->SetFileName(request.file.c_str());
 	reader->SetApplyDisplacements(false); // that is done for all formats
 	reader->UpdateInformation();
-	refuseOnComplaint();
+	checks::refuseOnComplaint();
 	for (const std::string& name : repeatedExodusNames(request.file))
 		manifest.warn(fmt::format("several variables are called {}; only one of them is shown", name));
 	const bool is_odd = hasOddExodusNodes(request.file);
@@ -109,7 +112,7 @@ void readExodus(const Request& request, ManifestWriter& manifest)
 	for (int set = 0; request.patches && set < reader->GetNumberOfObjects(vtkExodusIIReader::SIDE_SET); ++set)
 		reader->SetObjectStatus(vtkExodusIIReader::SIDE_SET, set, 1);
 	const std::vector<double> times = exodusTimes(request.file);
-	const std::size_t step = offerSteps(times, request, manifest).value_or(0);
+	const std::size_t step = manifest::offerSteps(times, request, manifest).value_or(0);
 	if (times.empty())
 		reader->Update();
 	else
@@ -119,7 +122,7 @@ void readExodus(const Request& request, ManifestWriter& manifest)
 		reader->SetHasModeShapes(false);
 		reader->UpdateTimeStep(static_cast<double>(step));
 	}
-	refuseOnComplaint();
+	checks::refuseOnComplaint();
 	if (reader->GetErrorCode() != 0)
 		throw damaged("the reader gave up");
 	// Cells and what else they have, by kind of object.
@@ -144,3 +147,5 @@ void readExodus(const Request& request, ManifestWriter& manifest)
 			manifest.add(objects->GetBlock(kind));
 	}
 }
+
+} // namespace vp::reader::wrapped

@@ -16,6 +16,9 @@
 #include <array>
 #include <cmath>
 
+namespace vp::reader::wrapped
+{
+
 namespace
 {
 
@@ -69,7 +72,7 @@ std::string timeUnitsOfCode(int code)
 
 } // namespace
 
-void readNifti(const Request& request, ManifestWriter& manifest)
+void readNifti(const Request& request, manifest::Writer& manifest)
 {
 	vtkNew<vtkNIFTIImageReader> reader;
 	if (!reader->CanReadFile(request.file.c_str()))
@@ -77,7 +80,7 @@ void readNifti(const Request& request, ManifestWriter& manifest)
 	reader->SetFileName(request.file.c_str());
 	reader->TimeAsVectorOn();
 	reader->Update();
-	refuseOnComplaint();
+	checks::refuseOnComplaint();
 	if (reader->GetErrorCode() != 0)
 		throw damaged("the reader gave up");
 
@@ -94,7 +97,7 @@ void readNifti(const Request& request, ManifestWriter& manifest)
 	for (int i = 0; steps > 1 && i < steps; ++i)
 		times.push_back(i * (std::isfinite(step) && step > 0.0 ? step : 1.0));
 	int chosen = 0;
-	if (const std::optional<double> time = chooseIfAny(times, request))
+	if (const std::optional<double> time = manifest::chooseIfAny(times, request))
 		chosen = static_cast<int>(std::find(times.begin(), times.end(), *time) - times.begin());
 	const auto values =
 	    valuesAt(all, chosen * components, components, reader->GetRescaleSlope(), reader->GetRescaleIntercept());
@@ -118,3 +121,5 @@ void readNifti(const Request& request, ManifestWriter& manifest)
 	manifest.addLone(image);
 	manifest.offerTimes(std::move(times));
 }
+
+} // namespace vp::reader::wrapped

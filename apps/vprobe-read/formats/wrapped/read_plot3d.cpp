@@ -15,6 +15,9 @@
 
 #include <filesystem>
 
+namespace vp::reader::wrapped
+{
+
 namespace
 {
 
@@ -45,7 +48,7 @@ std::string solutionBeside(const std::string& file)
 
 } // namespace
 
-void readPlot3d(const Request& request, ManifestWriter& manifest)
+void readPlot3d(const Request& request, manifest::Writer& manifest)
 {
 	const Plot3dLayout layout = findPlot3dLayout(request.file);
 	if (layout.flat)
@@ -82,9 +85,12 @@ void readPlot3d(const Request& request, ManifestWriter& manifest)
 		for (const int function : {kPressure, kTemperature, kVelocity})
 			reader->AddFunction(function);
 	}
-	if (!layout.binary && (endsInsideALine(request.file) || (!solution.empty() && endsInsideALine(solution))))
-		manifest.warn(kCutTextWarning);
+	if (!layout.binary &&
+	    (text::endsInsideALine(request.file) || (!solution.empty() && text::endsInsideALine(solution))))
+		manifest.warn(text::kCutTextWarning);
 	reader->Update();
-	refuseOnComplaint();
+	checks::refuseOnComplaint();
 	manifest.add(reader->GetOutput());
 }
+
+} // namespace vp::reader::wrapped
