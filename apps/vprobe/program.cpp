@@ -173,6 +173,8 @@ int runProgram(const Program& program, int argc, char** argv)
 	if (!arguments)
 		return failed(program, fmt::format("{}; see {} --help", arguments.error().message, program.name),
 		              ExitCode::usage);
+	if (program.hand_over && !arguments->empty())
+		program.hand_over(argv[0], *arguments);
 	setCommandLine(*arguments);
 	try
 	{
