@@ -70,7 +70,7 @@ namespace vp::render
 	X(text_path)                                                                                                       \
 	X(translate)
 
-// cairo is loaded when the first flat picture is drawn, and not with the program: it brings thirteen libraries, among
+// cairo is loaded when the first flat picture is drawn, and not with the program: it brings twelve libraries, among
 // them those of X11, which take longer to load than a small cut takes.
 struct Cairo
 {

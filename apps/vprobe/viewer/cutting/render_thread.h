@@ -174,7 +174,7 @@ private:
 
 	// Used by the render thread only.
 	std::unique_ptr<session::Session> session_;
-	double session_start_ms_ = 0.0; // of its timeline, on the time axis of the window
+	double session_start_ms_ = 0.0; // where its timeline starts on the time axis of the window
 	std::optional<picture::Painter> painter_;
 	std::optional<PictureRequest> followed_; // the request that session and painter follow
 	std::shared_ptr<const session::Frame> cut_;

@@ -13,7 +13,7 @@ namespace vp::app
 namespace
 {
 
-// Of sections and of marks: some minute of dragging, 5 MiB each.
+// As many sections, and as many marks, take 5 MiB each: some minute of dragging.
 constexpr std::size_t kKeptForTrace = 50'000;
 constexpr std::size_t kFramesOfStages = 60; // as many as `vprobe profile` has planes
 
