@@ -56,7 +56,7 @@ private:
 	Timeline own_;
 	mutable std::mutex mutex_;
 	std::optional<write::TraceFile> trace_;
-	std::deque<Timeline::Section> sections_; // those of about the last minute
+	std::deque<Timeline::Section> sections_; // of about the last minute
 	std::deque<Timeline::Mark> marks_;
 	std::deque<std::vector<StageTime>> frames_; // the last ones
 	std::vector<std::string> inputs_;
