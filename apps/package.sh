@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Makes the Debian packages vprobe, libvprobe0, libvprobe-dev and python3-vprobe of a release build, and says where they are.
+# Makes the Debian packages vprobe, vprobe-view, libvprobe0, libvprobe-dev and python3-vprobe of a release build, and says
+# where they are.
 # usage: apps/package.sh [FOLDER]    FOLDER: where they go; build/packages without it
 set -euo pipefail
 target=$(realpath -m "${1:-$(dirname "$0")/../build/packages}")

@@ -138,6 +138,8 @@ int carryOut(const Program& program, const Run& run, const Said& said)
 
 int runProgram(const Program& program, int argc, char** argv)
 {
+	if (program.hand_over && argc > 1) // before any work that the other program would do again
+		program.hand_over(argv[0], {argv + 1, argv + argc});
 	CLI::App app{program.about, program.name};
 	app.set_version_flag("--version", kVersion);
 	app.require_subcommand(1);
@@ -173,6 +175,8 @@ int runProgram(const Program& program, int argc, char** argv)
 	if (!arguments)
 		return failed(program, fmt::format("{}; see {} --help", arguments.error().message, program.name),
 		              ExitCode::usage);
+	if (program.hand_over && !arguments->empty() && argc > 1 && arguments->front() != argv[1])
+		program.hand_over(argv[0], *arguments); // for a command that was not written
 	setCommandLine(*arguments);
 	try
 	{

@@ -18,6 +18,9 @@ struct Program
 	// Reports why the program ends: a line, and its exit code.
 	void (*fail)(const std::string& line, ExitCode code);
 	bool opens_files = false; // an input without a command is viewed, or rendered
+	// Goes on as another program if that one has the command, which is the first of the arguments; returns if not.
+	// called: the name by which this program was called. It may be null.
+	void (*hand_over)(const char* called, const std::vector<std::string>& arguments) = nullptr;
 };
 
 // Reads the command line and runs the subcommand that it names. Returns the exit status.

@@ -1,12 +1,10 @@
 #include "write/plane_picture.h"
 
 #include "render/annotate/valid_utf8.h"
+#include "render/flat/cairo_library.h"
 #include "write/atomic_file.h"
 #include "write/png.h"
 
-#include <cairo-pdf.h>
-#include <cairo-svg.h>
-#include <cairo.h>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
@@ -30,11 +28,13 @@ namespace vp::write
 namespace
 {
 
+using render::cairo;
+
 constexpr double kPointsPerPixel = 0.75;
 
 struct SurfaceDeleter
 {
-	void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+	void operator()(cairo_surface_t* surface) const { cairo().surface_destroy(surface); }
 };
 using Surface = std::unique_ptr<cairo_surface_t, SurfaceDeleter>;
 
@@ -67,20 +67,21 @@ Surface surfaceFor(const render::Look& look, PictureFormat format, AtomicFile& f
 	switch (format)
 	{
 	case PictureFormat::png:
-		return Surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height));
+		return Surface(cairo().image_surface_create(CAIRO_FORMAT_ARGB32, width, height));
 	case PictureFormat::svg:
 	{
-		Surface surface(cairo_svg_surface_create_for_stream(writeCairoBytes, &file, width, height));
-		cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PX);
+		Surface surface(cairo().svg_surface_create_for_stream(writeCairoBytes, &file, width, height));
+		cairo().svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PX);
 		return surface;
 	}
 	case PictureFormat::pdf:
 	{
-		Surface surface(cairo_pdf_surface_create_for_stream(writeCairoBytes, &file, kPointsPerPixel * width,
-		                                                    kPointsPerPixel * height));
-		cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, render::validUtf8(look.title).c_str());
+		Surface surface(cairo().pdf_surface_create_for_stream(writeCairoBytes, &file, kPointsPerPixel * width,
+		                                                      kPointsPerPixel * height));
+		cairo().pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE,
+		                                 render::validUtf8(look.title).c_str());
 		if (const auto date = dateOfBuild())
-			cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, date->c_str());
+			cairo().pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, date->c_str());
 		return surface;
 	}
 	}
@@ -90,18 +91,18 @@ Surface surfaceFor(const render::Look& look, PictureFormat format, AtomicFile& f
 // From cairo's words of alpha and colors multiplied by it.
 render::Picture pictureOf(cairo_surface_t* surface)
 {
-	cairo_surface_flush(surface);
+	cairo().surface_flush(surface);
 	render::Picture picture;
-	picture.width = static_cast<std::uint32_t>(cairo_image_surface_get_width(surface));
-	picture.height = static_cast<std::uint32_t>(cairo_image_surface_get_height(surface));
+	picture.width = static_cast<std::uint32_t>(cairo().image_surface_get_width(surface));
+	picture.height = static_cast<std::uint32_t>(cairo().image_surface_get_height(surface));
 	picture.rgba.resize(std::size_t(4) * picture.width * picture.height);
 	for (std::uint32_t y = 0; y < picture.height; ++y)
 		for (std::uint32_t x = 0; x < picture.width; ++x)
 		{
 			std::uint32_t word;
 			std::memcpy(&word,
-			            cairo_image_surface_get_data(surface) +
-			                std::size_t(cairo_image_surface_get_stride(surface)) * y + std::size_t(4) * x,
+			            cairo().image_surface_get_data(surface) +
+			                std::size_t(cairo().image_surface_get_stride(surface)) * y + std::size_t(4) * x,
 			            4);
 			const std::uint32_t alpha = word >> 24;
 			std::uint8_t* to = &picture.rgba[4 * (std::size_t(y) * picture.width + x)];
@@ -119,20 +120,20 @@ Status draw(const render::FlatScene& flat, const std::string& path, AtomicFile& 
 {
 	const PictureFormat format = *pictureFormatOf(path);
 	const Surface surface = surfaceFor(flat.scene.look, format, file);
-	cairo_t* context = cairo_create(surface.get());
+	cairo_t* context = cairo().create(surface.get());
 	if (format == PictureFormat::pdf)
-		cairo_scale(context, kPointsPerPixel, kPointsPerPixel);
+		cairo().scale(context, kPointsPerPixel, kPointsPerPixel);
 	render::drawFlat(flat, context);
-	cairo_status_t status = cairo_status(context);
-	cairo_destroy(context);
+	cairo_status_t status = cairo().status(context);
+	cairo().destroy(context);
 	if (status == CAIRO_STATUS_SUCCESS && format == PictureFormat::png)
 		return encodePng(pictureOf(surface.get()), path, file);
-	cairo_surface_finish(surface.get());
+	cairo().surface_finish(surface.get());
 	if (status == CAIRO_STATUS_SUCCESS)
-		status = cairo_surface_status(surface.get());
+		status = cairo().surface_status(surface.get());
 	if (status != CAIRO_STATUS_SUCCESS)
 		return Error{ErrorKind::output, fmt::format("{}: cannot be drawn: {}; choose a smaller `size`", path,
-		                                            cairo_status_to_string(status))};
+		                                            cairo().status_to_string(status))};
 	return Nothing{};
 }
 
@@ -159,6 +160,8 @@ int colorSteps(PictureFormat format)
 
 Status writePlanePictures(std::span<const render::FlatScene> flats, std::span<const std::string> paths)
 {
+	if (Status loaded = render::loadCairo(); !loaded)
+		return loaded;
 	std::vector<AtomicFile> files;
 	files.reserve(flats.size()); // cairo keeps their places
 	for (std::size_t i = 0; i < flats.size(); ++i)

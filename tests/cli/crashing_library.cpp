@@ -1,5 +1,5 @@
-// Preloaded, it stands in for any other library: libcrashing_library.so crashes where a flat picture begins.
-extern "C" __attribute__((visibility("default"))) void* cairo_image_surface_create(int, int, int)
+// Preloaded, it stands in for any other library: libcrashing_library.so crashes where a PNG file begins.
+extern "C" __attribute__((visibility("default"))) void* png_create_write_struct(const char*, void*, void*, void*)
 {
 	volatile int* nowhere = nullptr;
 	*nowhere = 1;

@@ -1,6 +1,7 @@
 #include "program.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <regex>
 #include <sstream>
@@ -23,6 +24,12 @@ protected:
 		return all;
 	}
 };
+
+// Programs are built beside this one.
+std::filesystem::path builtProgram(const char* name)
+{
+	return std::filesystem::read_symlink("/proc/self/exe").replace_filename(name);
+}
 
 struct BindingRow
 {
@@ -79,6 +86,49 @@ TEST_F(View, WithoutADisplayItSaysSo)
 {
 	EXPECT_TRUE(isError(run({"view", "demo:shell:8"}, nowhere()), 3, {"DISPLAY", "vprobe render"}));
 	EXPECT_TRUE(isError(run({"view"}, nowhere()), 3, {"DISPLAY"}));
+}
+
+// As where the package of the window is not installed.
+TEST_F(View, WhereTheWindowIsNotInstalledItSaysSo)
+{
+	std::filesystem::copy_file(builtProgram("vprobe"), path("vprobe"));
+	Surroundings alone = nowhere();
+	alone.environment["VPROBE_PROGRAM"] = path("vprobe");
+	for (const Arguments& asked : {Arguments{"view"}, Arguments{"view", "demo:shell:8"}})
+	{
+		EXPECT_TRUE(isError(run(asked, alone), 3, {"install", "vprobe-view", "vprobe render"}));
+	}
+	Surroundings desktop = alone;
+	desktop.environment["DISPLAY"] = ":7";
+	EXPECT_TRUE(isError(run({"demo:shell:8"}, desktop), 3, {"vprobe-view"}));
+	// All that needs no window is there, and so are errors of the command line.
+	EXPECT_TRUE(contains(run({"view", "--help"}, alone).out, "--commands"));
+	for (const char* asked : {"--help", "--list-bindings"})
+	{
+		EXPECT_TRUE(run({"view", asked}, alone).out == run({"view", asked}).out) << asked;
+	}
+	EXPECT_TRUE(isError(run({"view", "demo:shell:8", "--camera", "askew"}, alone), 1, {"--camera"}));
+	EXPECT_TRUE(isQuiet(run({"slice", "demo:shell:8", "-o", path("cut.vtp")}, alone)));
+}
+
+// As packages install it.
+TEST_F(View, TheWindowIsFoundInTheFolderOfPrivatePrograms)
+{
+	std::filesystem::create_directories(path("bin"));
+	std::filesystem::create_directories(path("libexec/vprobe"));
+	std::filesystem::copy_file(builtProgram("vprobe"), path("bin/vprobe"));
+	std::filesystem::copy_file(builtProgram("vprobe-view"), path("libexec/vprobe/vprobe-view"));
+	Surroundings installed = nowhere();
+	installed.environment["VPROBE_PROGRAM"] = path("bin/vprobe");
+	EXPECT_TRUE(isError(run({"view", "demo:shell:8"}, installed), 3, {"DISPLAY"}));
+}
+
+// The window's program takes the place of vprobe in the same process: what the caller set up stays as it is.
+TEST_F(View, TheWindowHasTheStreamsOfItsCaller)
+{
+	Surroundings closed = nowhere();
+	closed.closed = {0};
+	EXPECT_TRUE(isError(run({"view", "demo:shell:8"}, closed), 3, {"vprobe: no window", "DISPLAY"}));
 }
 
 TEST_F(View, WrongOptionsAreToldBeforeAWindowOpens)

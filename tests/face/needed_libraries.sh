@@ -1,8 +1,8 @@
 #!/bin/sh
-# Holds the libraries that the library needs by itself against a fixed list, and looks for VTK, HDF5 and a window
-# toolkit among all that come with them. usage: needed_libraries.sh LIBRARY
+# Holds the libraries that the library needs by itself against a fixed list, and looks for VTK, HDF5 and what opens
+# windows among all that come with them. usage: needed_libraries.sh LIBRARY
 set -eu
-known="ld-linux-x86-64 libc libcairo libfmt libfontconfig libfreetype libgcc_s libm libpng16 libstb libstdc++ libtbb libvulkan"
+known="ld-linux-x86-64 libc libfmt libfontconfig libfreetype libgcc_s libm libpng16 libstb libstdc++ libtbb libvulkan"
 for needed in $(readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(.*\)\].*/\1/p'); do
 	name=${needed%%.so*}
 	case " $known " in
@@ -13,7 +13,7 @@ for needed in $(readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(.*\)\].*/\1/p'); do
 		;;
 	esac
 done
-if ldd "$1" | grep -E 'libvtk|libhdf5|libglfw|libGL\.'; then
+if ldd "$1" | grep -E 'libvtk|libhdf5|libglfw|libGL\.|libX|libxcb|libwayland|libcairo'; then
 	echo "$1 brings the libraries above" >&2
 	exit 1
 fi

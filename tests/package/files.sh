@@ -31,6 +31,9 @@ for package in "${packages[@]}"; do
 done
 dpkg-deb -f "$scratch"/packages/libvprobe0_*.deb Depends | grep -qE 'vtk|hdf5' && { echo "libvprobe0 needs VTK or HDF5"; exit 1; }
 
+dpkg-deb -f "$scratch"/packages/vprobe_*.deb Depends | grep -qE 'glfw|libx11' && { echo "vprobe needs a window"; exit 1; }
+dpkg-deb -f "$scratch"/packages/vprobe-view_*.deb Depends | grep -q glfw || { echo "vprobe-view needs no GLFW"; exit 1; }
+
 if command -v desktop-file-validate >/dev/null; then
 	desktop-file-validate "$source/vprobe.desktop"
 fi

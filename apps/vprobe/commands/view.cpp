@@ -1,6 +1,7 @@
 #include "commands/commands.h"
 #include "interact/bindings.h"
 #include "options/spec_options.h"
+#include "options/trace_option.h"
 #include "report/console.h"
 #include "report/stats_json.h"
 #include "view/resolve.h"
@@ -23,6 +24,7 @@ struct ViewOptions
 	SpecOptions common;
 	std::string stats;
 	std::string commands;
+	std::string trace;
 	bool list_bindings = false;
 };
 
@@ -33,6 +35,9 @@ Result<ExitCode> runView(const ViewOptions& options)
 		print("{}", interact::bindingsText());
 		return ExitCode::done;
 	}
+	if (options.stats == "-" && options.trace == "-")
+		return Error{ErrorKind::usage,
+		             "--stats - and --trace -: standard output takes one thing at a time; name a file for the other"};
 	const view::ViewSpec& spec = options.common.spec;
 	// Errors on the command line are reported before a window opens.
 	if (options.common.wrong)
@@ -57,7 +62,7 @@ Result<ExitCode> runView(const ViewOptions& options)
 				return fits.error();
 		return read;
 	};
-	return runViewer({spec, read_state, options.stats, options.commands});
+	return runViewer({spec, read_state, options.stats, options.commands, options.trace});
 }
 
 } // namespace
@@ -82,6 +87,7 @@ void addView(CLI::App& program, Run& run)
 	    ->add_option("--commands", options->commands,
 	                 "Carry out the lines of a file while the window runs (docs/VIEWER.md, Scripting)")
 	    ->type_name("FILE|-");
+	addTraceOption(*command, options->trace, "");
 	command->callback([&run, options] { run = [options] { return runView(*options); }; });
 }
 

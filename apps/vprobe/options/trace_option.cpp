@@ -37,16 +37,23 @@ void addToTrace(const session::Session& session, write::TraceFile& trace)
 	trace.add(std::move(sections), timeline.takeMarks());
 }
 
+void describeTrace(write::TraceFile& trace, const std::vector<std::string>& inputs, const std::string& device,
+                   const std::string& driver)
+{
+	trace.describe("program", fmt::format("vprobe {}", kVersion));
+	trace.describe("command_line", fmt::format("{}", fmt::join(commandLine(), " ")));
+	trace.describe("input", fmt::format("{}", fmt::join(inputs, ", ")));
+	trace.describe("device", device);
+	trace.describe("driver", driver);
+	trace.describe("threads",
+	               fmt::format("{}", tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)));
+}
+
 Status commitTrace(const session::Session& session, write::TraceFile& trace)
 {
 	const gpu::Device* device = session.device().get();
-	trace.describe("program", fmt::format("vprobe {}", kVersion));
-	trace.describe("command_line", fmt::format("{}", fmt::join(commandLine(), " ")));
-	trace.describe("input", fmt::format("{}", fmt::join(session.spec().input.files, ", ")));
-	trace.describe("device", device ? device->name() : "none");
-	trace.describe("driver", device ? gpu::driverName(*device) : "none");
-	trace.describe("threads",
-	               fmt::format("{}", tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)));
+	describeTrace(trace, session.spec().input.files, device ? device->name() : "none",
+	              device ? gpu::driverName(*device) : "none");
 	return trace.commit();
 }
 

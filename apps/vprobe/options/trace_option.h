@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace vp::app
 {
@@ -18,6 +19,10 @@ Result<std::optional<write::TraceFile>> openTrace(const std::string& path);
 
 // Hands over what the timeline of a session holds.
 void addToTrace(const session::Session& session, write::TraceFile& trace);
+
+// Says of what a trace is. device, driver: "none" without a device.
+void describeTrace(write::TraceFile& trace, const std::vector<std::string>& inputs, const std::string& device,
+                   const std::string& driver);
 
 // Says of what the trace is, the program, its command line, and the session's inputs and device, and puts the file in
 // its place.

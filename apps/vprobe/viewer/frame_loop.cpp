@@ -1,5 +1,6 @@
 #include "viewer/frame_loop.h"
 
+#include "base/frame_scope.h"
 #include "report/console.h"
 #include "viewer/pointer/key_codes.h"
 
@@ -32,7 +33,7 @@ constexpr std::chrono::milliseconds kStaysAwake{500};
 FrameLoop::FrameLoop(Window& window, Screen& screen, std::shared_ptr<gpu::Device> device, const ReadState& read_state,
                      Lasting& lasting)
     : window_(window), screen_(screen), device_(*device), lasting_(lasting),
-      document_(lasting.history, device, Window::wake, read_state),
+      document_(lasting.history, device, Window::wake, read_state, lasting.times),
       frame_seconds_(1.0 / (device->isSoftware() ? kSoftwareFrameRate : window.refreshRate())), scale_(window.scale()),
       dark_(document_.settings.dark)
 {
@@ -174,11 +175,9 @@ void FrameLoop::followKeyboard()
 #endif
 }
 
-Status FrameLoop::showFrame()
+void FrameLoop::drawInterface()
 {
-	frame_begin_ = Clock::now();
-	if (Status followed = followScale(); !followed)
-		return followed;
+	const TimedSection section(&lasting_.times.own(), "interface");
 	ImGui_ImplVulkan_NewFrame();
 	ImGui_ImplGlfw_NewFrame();
 	followKeyboard();
@@ -187,7 +186,36 @@ Status FrameLoop::showFrame()
 	scene_ = showPanels(desk);
 	hand_.place(scene_, scale_);
 	ImGui::Render();
+}
 
+Result<bool> FrameLoop::present(const std::vector<Placement>& pictures)
+{
+	const TimedSection section(&lasting_.times.own(), "present");
+	return screen_.show(pictures, *ImGui::GetDrawData(), window_.pixels());
+}
+
+// A frame that brings a new picture has the number of that picture.
+Status FrameLoop::showTimedFrame(bool has_new_picture)
+{
+	Timeline& timeline = lasting_.times.own();
+	Status shown = Nothing{};
+	{
+		std::optional<FrameScope> scope;
+		if (has_new_picture && drawn_)
+			scope.emplace(drawn_->number, FrameScope::Stop::picture);
+		const TimedSection section(&timeline, "window frame");
+		shown = showFrame();
+	}
+	lasting_.times.take(timeline, 0.0);
+	return shown;
+}
+
+Status FrameLoop::showFrame()
+{
+	frame_begin_ = Clock::now();
+	if (Status followed = followScale(); !followed)
+		return followed;
+	drawInterface();
 	const std::shared_ptr<const PresentedFrame> shown = document_.shown();
 	std::vector<Placement> pictures;
 	const std::shared_ptr<const render::Picture> film = document_.playback().filmPicture();
@@ -203,7 +231,7 @@ Status FrameLoop::showFrame()
 		if (pixelsOf(pane).width > 0 && pixelsOf(pane).height > 0)
 			pictures.push_back({shown->pane->image, glm::ivec2(pane.lo), glm::ivec2(pane.size)});
 	}
-	Result<bool> presented = screen_.show(pictures, *ImGui::GetDrawData(), window_.pixels());
+	const Result<bool> presented = present(pictures);
 	if (!presented)
 		return presented.error();
 	last_frame_ = Clock::now();
@@ -272,7 +300,7 @@ Status FrameLoop::run()
 		if (secondsToNextFrame() > 0.0 && !new_picture && !captures)
 			continue;
 		drawn_ = document_.shown();
-		const Status shown = document_.lostDevice() ? Status(*document_.lostDevice()) : showFrame();
+		const Status shown = document_.lostDevice() ? Status(*document_.lostDevice()) : showTimedFrame(new_picture);
 		if (!shown)
 		{
 			tellUnsaved("the device was lost");

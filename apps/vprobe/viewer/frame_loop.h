@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace vp::app
 {
@@ -29,6 +30,7 @@ struct Lasting
 	std::string notice;       // the first notice that the user sees
 	bool lost_files = false;  // a file that was under way when the window closed was not written
 	DeferredInterrupt interrupt;
+	WindowTimes times;
 };
 
 // Shows frames in the window, on one device, and hands input to the document.
@@ -50,7 +52,10 @@ private:
 	void obey();   // carries out --commands
 	bool goesOn(); // false when the window is to close, and nothing is left to write
 	void tellUnsaved(const char* why);
+	void drawInterface();
+	Result<bool> present(const std::vector<Placement>& pictures);
 	Status showFrame();
+	Status showTimedFrame(bool has_new_picture);
 	Status followScale();
 	void followKeyboard();
 	double secondsToNextFrame() const;

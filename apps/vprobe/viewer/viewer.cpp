@@ -1,5 +1,6 @@
 #include "viewer/viewer.h"
 
+#include "options/trace_option.h"
 #include "report/stats_json.h"
 #include "viewer/frame_loop.h"
 #include "viewer/panels/panels.h"
@@ -42,23 +43,40 @@ struct WindowBackend
 	WindowBackend& operator=(const WindowBackend&) = delete;
 };
 
+nlohmann::json stagesJson(const std::vector<StageFigure>& stages)
+{
+	nlohmann::json list = nlohmann::json::array();
+	for (const StageFigure& stage : stages)
+		list.push_back({{"stage", (stage.track == Timeline::Track::gpu ? "gpu " : "") + stage.name},
+		                {"depth", stage.depth},
+		                {"median", stage.median}});
+	return list;
+}
+
 // A device may be lost now and then. If it is lost twice within this time, another device is tried.
 constexpr std::chrono::seconds kLastsAtLeast{10};
+
+Result<std::unique_ptr<gpu::Device>> openWindowDevice(const view::MachineSpec& machine, const std::string& avoid,
+                                                      WindowTimes& times)
+{
+	const TimedSection section(&times.own(), "open device", 0, Timeline::Track::setup);
+	return gpu::Device::create({.name_or_index = machine.device,
+	                            .validation = {},
+	                            .instance_extensions = Window::instanceExtensions(),
+	                            .swapchain = true,
+	                            .avoid = avoid,
+	                            .memory = static_cast<std::uint64_t>(machine.device_memory)});
+}
 
 // Runs the window on a device. figures: figures of the device, once it has opened.
 Status runOnDevice(Window& window, const ViewerOptions& options, const std::string& avoid, Lasting& lasting,
                    nlohmann::json& figures)
 {
-	Result<std::unique_ptr<gpu::Device>> made =
-	    gpu::Device::create({.name_or_index = options.state.machine.device,
-	                         .validation = {},
-	                         .instance_extensions = Window::instanceExtensions(),
-	                         .swapchain = true,
-	                         .avoid = avoid,
-	                         .memory = static_cast<std::uint64_t>(options.state.machine.device_memory)});
+	Result<std::unique_ptr<gpu::Device>> made = openWindowDevice(options.state.machine, avoid, lasting.times);
 	if (!made)
 		return made.error();
 	const std::shared_ptr<gpu::Device> device = std::move(*made);
+	lasting.times.setDevice(*device);
 	figures["device"] = device->name();
 	makeFonts(window.scale());
 	Result<std::unique_ptr<Screen>> screen = Screen::create(*device, window);
@@ -79,6 +97,9 @@ Status runOnDevice(Window& window, const ViewerOptions& options, const std::stri
 Result<ExitCode> runViewer(const ViewerOptions& options)
 {
 	const view::PictureSize size = options.state.look.size;
+	Result<std::optional<write::TraceFile>> trace = openTrace(options.trace);
+	if (!trace)
+		return trace.error();
 	std::shared_ptr<std::FILE> commands;
 	if (!options.commands.empty())
 	{
@@ -93,7 +114,7 @@ Result<ExitCode> runViewer(const ViewerOptions& options)
 		return window.error();
 	const InterfaceContext context;
 	const WindowBackend backend(**window);
-	Lasting lasting{interact::History(options.state), {}, {}, {}, 0, {}, false, {}};
+	Lasting lasting{interact::History(options.state), {}, {}, {}, 0, {}, false, {}, WindowTimes(std::move(*trace))};
 	if (commands)
 		lasting.commands.emplace(std::move(commands), Window::wake);
 	nlohmann::json figures;
@@ -119,6 +140,9 @@ Result<ExitCode> runViewer(const ViewerOptions& options)
 	}
 	nlohmann::json told = lasting.meter.json();
 	told.update(figures);
+	told["stages"] = stagesJson(lasting.times.stages());
+	if (Status written = lasting.times.commit(); !written)
+		return written.error();
 	const Result<ExitCode> written = writeStats(options.stats, {}, told.dump(2) + "\n");
 	if (!written || !lasting.lost_files)
 		return !written || !lasting.interrupt.came() ? written : ExitCode::interrupted;

@@ -2,7 +2,7 @@
 
 #include "base/result.h"
 #include "exit_code.h"
-#include "viewer/document/document.h"
+#include "viewer/document/read_state.h"
 
 #include <string>
 
@@ -15,6 +15,7 @@ struct ViewerOptions
 	ReadState read_state;
 	std::string stats;    // file for figures of the window's speed, written as JSON when it closes; empty: none
 	std::string commands; // file of commands that the window carries out; empty: none
+	std::string trace;    // file of all sections of work, for chrome://tracing; empty: none
 };
 
 // Opens the window and stays until it is closed.

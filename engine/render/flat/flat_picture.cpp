@@ -1,9 +1,8 @@
 #include "render/annotate/legend.h"
 #include "render/annotate/titles.h"
+#include "render/flat/cairo_library.h"
 #include "render/flat/flat_drawing.h"
 #include "render/flat/flat_scene.h"
-
-#include <cairo.h>
 
 namespace vp::render
 {
@@ -13,7 +12,7 @@ namespace
 
 void addStop(cairo_pattern_t* gradient, double at, Color color)
 {
-	cairo_pattern_add_color_stop_rgb(gradient, at, color.r / 255.0, color.g / 255.0, color.b / 255.0);
+	cairo().pattern_add_color_stop_rgb(gradient, at, color.r / 255.0, color.g / 255.0, color.b / 255.0);
 }
 
 } // namespace
@@ -22,13 +21,13 @@ void paintBackground(const Look& look, cairo_t* context)
 {
 	if (look.background.transparent())
 		return;
-	cairo_pattern_t* gradient = cairo_pattern_create_linear(0.0, 0.0, 0.0, look.height);
+	cairo_pattern_t* gradient = cairo().pattern_create_linear(0.0, 0.0, 0.0, look.height);
 	addStop(gradient, 0.0, look.background.top);
 	addStop(gradient, 1.0, look.background.bottom);
-	cairo_rectangle(context, 0.0, 0.0, look.width, look.height);
-	cairo_set_source(context, gradient);
-	cairo_fill(context);
-	cairo_pattern_destroy(gradient);
+	cairo().rectangle(context, 0.0, 0.0, look.width, look.height);
+	cairo().set_source(context, gradient);
+	cairo().fill(context);
+	cairo().pattern_destroy(gradient);
 }
 
 void drawFlat(const FlatScene& flat, cairo_t* context)

@@ -5,8 +5,7 @@
 #include "measure/contour_lines.h"
 #include "mesh/bridges.h"
 #include "render/annotate/label_places.h"
-
-#include <cairo.h>
+#include "render/flat/cairo_library.h"
 
 #include <algorithm>
 #include <cmath>
@@ -101,11 +100,11 @@ private:
 		for (const PlaneLine& line : outlines)
 			pen_.path(thinned(inPixels(line.points)), true);
 		pen_.setColor(color);
-		cairo_set_fill_rule(pen_.context(), CAIRO_FILL_RULE_WINDING);
-		cairo_fill_preserve(pen_.context());
+		cairo().set_fill_rule(pen_.context(), CAIRO_FILL_RULE_WINDING);
+		cairo().fill_preserve(pen_.context());
 		if (seam > 0.0 && color.a == 255)
 			pen_.stroke(color, seam);
-		cairo_new_path(pen_.context());
+		cairo().new_path(pen_.context());
 	}
 
 	void fillPlain() { fill(measure::meshOutlines(*flat_.mesh, points_), kPlainSheet, 0.0); }
@@ -255,11 +254,11 @@ private:
 void drawFlatSheet(const FlatScene& flat, const FlatLayout& layout, CairoCanvas& pen)
 {
 	cairo_t* context = pen.context();
-	cairo_save(context);
-	cairo_rectangle(context, layout.plot.lo.x, layout.plot.lo.y, layout.plot.size().x, layout.plot.size().y);
-	cairo_clip(context);
+	cairo().save(context);
+	cairo().rectangle(context, layout.plot.lo.x, layout.plot.lo.y, layout.plot.size().x, layout.plot.size().y);
+	cairo().clip(context);
 	FlatSheet(flat, layout, pen).draw();
-	cairo_restore(context);
+	cairo().restore(context);
 }
 
 } // namespace vp::render

@@ -3,8 +3,7 @@
 #include "measure/cell_steps.h"
 #include "measure/plane_triangles.h"
 #include "render/annotate/box_axes.h"
-
-#include <cairo.h>
+#include "render/flat/cairo_library.h"
 
 #include <algorithm>
 #include <array>
@@ -69,9 +68,9 @@ private:
 	void edges(bool near)
 	{
 		const double dash = kDash * em_;
-		cairo_save(pen_.context());
+		cairo().save(pen_.context());
 		if (!near)
-			cairo_set_dash(pen_.context(), &dash, 1, 0.0);
+			cairo().set_dash(pen_.context(), &dash, 1, 0.0);
 		for (int axis = 0; axis < 3; ++axis)
 			for (int at = 0; at < 8; ++at)
 			{
@@ -85,7 +84,7 @@ private:
 					pen_.line(pixel(corner(box_, at)), pixel(corner(box_, at | 1 << axis)),
 					          faded(pen_.inks().text, near ? 200 : 110), em_ / 16.0);
 			}
-		cairo_restore(pen_.context());
+		cairo().restore(pen_.context());
 	}
 
 	// The grid's own, where the box is not all there is to it.
@@ -111,11 +110,11 @@ private:
 			pen_.path(rim, true);
 		}
 		pen_.setColor(kSheetRim);
-		cairo_set_line_width(pen_.context(), em_ / 6.0);
-		cairo_stroke_preserve(pen_.context());
+		cairo().set_line_width(pen_.context(), em_ / 6.0);
+		cairo().stroke_preserve(pen_.context());
 		pen_.setColor(flat_.scene.look.background.dark() ? kSheetOnDark : kSheetOnLight);
-		cairo_set_fill_rule(pen_.context(), CAIRO_FILL_RULE_WINDING);
-		cairo_fill(pen_.context());
+		cairo().set_fill_rule(pen_.context(), CAIRO_FILL_RULE_WINDING);
+		cairo().fill(pen_.context());
 		if (const std::vector<Vec3> corners = window(); !corners.empty())
 			pen_.closedLine({pixel(corners[0]), pixel(corners[1]), pixel(corners[2]), pixel(corners[3])}, kSheetRim,
 			                em_ / 16.0);

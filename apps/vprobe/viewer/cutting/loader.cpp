@@ -17,8 +17,8 @@ struct Loader::Job
 	std::jthread thread;            // must be the last member
 };
 
-Loader::Loader(std::shared_ptr<gpu::Device> device, std::function<void()> wake)
-    : device_(std::move(device)), wake_(std::move(wake))
+Loader::Loader(std::shared_ptr<gpu::Device> device, std::function<void()> wake, Timeline::Keep keep)
+    : device_(std::move(device)), wake_(std::move(wake)), keep_(keep)
 {
 }
 
@@ -33,7 +33,7 @@ void Loader::begin(view::ViewSpec spec)
 	job_ = std::make_unique<Job>();
 	job_->spec = std::move(spec);
 	job_->thread = std::jthread(
-	    [job = job_.get(), device = device_, wake = wake_](const std::stop_token& stop)
+	    [job = job_.get(), device = device_, wake = wake_, keep = keep_](const std::stop_token& stop)
 	    {
 		    nameThreadRow("loader");
 		    try
@@ -41,7 +41,7 @@ void Loader::begin(view::ViewSpec spec)
 			    job->opened = session::Session::open(job->spec, {.use = session::DeviceUse::draw,
 			                                                     // The first picture comes before the neighbors do.
 			                                                     .expect = session::Expect::first_of_many,
-			                                                     .keep = Timeline::Keep::sections,
+			                                                     .keep = keep,
 			                                                     .device = device,
 			                                                     .stop = stop});
 		    }

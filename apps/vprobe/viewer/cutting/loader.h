@@ -17,7 +17,8 @@ class Loader
 {
 public:
 	// wake: called on the loader's thread when a session is ready or has failed.
-	Loader(std::shared_ptr<gpu::Device> device, std::function<void()> wake);
+	// keep: what the timelines of the sessions keep.
+	Loader(std::shared_ptr<gpu::Device> device, std::function<void()> wake, Timeline::Keep keep);
 	~Loader(); // cancels
 
 	// Cancels a loading that is under way.
@@ -41,6 +42,7 @@ private:
 
 	std::shared_ptr<gpu::Device> device_;
 	std::function<void()> wake_;
+	Timeline::Keep keep_;
 	std::unique_ptr<Job> job_;
 	std::vector<std::unique_ptr<Job>> cancelled_; // cancelled, but not finished yet
 };

@@ -1,9 +1,11 @@
 #include "viewer/cutting/render_thread.h"
 
+#include "base/frame_scope.h"
 #include "render/passes/targets.h"
 #include "view/resolve.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace vp::app
@@ -14,18 +16,17 @@ namespace
 
 // While the hand moves, pictures have one sample a pixel; the others are added once it has been still for so long.
 constexpr std::chrono::milliseconds kStill{120};
-// For a trace: some minute of dragging, 5 MiB.
-constexpr std::size_t kKeptSections = 50'000;
+constexpr std::string_view kFrameSection = "frame";
 
 } // namespace
 
-RenderThread::RenderThread(std::shared_ptr<gpu::Device> device, std::function<void()> wake)
-    : device_(std::move(device)), wake_(std::move(wake)), thread_(
-                                                              [this]
-                                                              {
-	                                                              nameThreadRow("render");
-	                                                              work();
-                                                              })
+RenderThread::RenderThread(std::shared_ptr<gpu::Device> device, std::function<void()> wake, WindowTimes& times)
+    : device_(std::move(device)), wake_(std::move(wake)), times_(times), thread_(
+                                                                             [this]
+                                                                             {
+	                                                                             nameThreadRow("render");
+	                                                                             work();
+                                                                             })
 {
 }
 
@@ -121,28 +122,32 @@ void RenderThread::work()
 			answer(*wish, still);
 		if (order)
 			answer(*order);
+		keepTimes();
 		wake_();
 		lock.lock();
-		keepSections();
 		busy_ = false;
 	}
 }
 
-// The mutex is held.
-void RenderThread::keepSections()
+void RenderThread::keepTimes()
 {
 	if (!session_)
 		return;
-	for (Timeline::Section& section : session_->timeline()->takeSections())
-		sections_.push_back(std::move(section));
-	while (sections_.size() > kKeptSections)
-		sections_.pop_front();
-}
-
-std::vector<Timeline::Section> RenderThread::sections() const
-{
-	const std::lock_guard lock(mutex_);
-	return {sections_.begin(), sections_.end()};
+	std::vector<Timeline::Section> sections = times_.take(*session_->timeline(), session_start_ms_);
+	const auto is_frame = [row = threadRow()](const Timeline::Section& section)
+	{ return section.row == row && section.name == kFrameSection; };
+	const auto frame = std::ranges::find_if(sections, is_frame);
+	if (frame == sections.end())
+		return;
+	// The rest is what came before: reading, jobs, and samples of the picture before.
+	const auto is_elsewhere = [frame = *frame](const Timeline::Section& section)
+	{
+		return section.track != Timeline::Track::gpu &&
+		       (section.row != frame.row || section.start_ms < frame.start_ms ||
+		        section.start_ms > frame.start_ms + frame.duration_ms);
+	};
+	std::erase_if(sections, is_elsewhere);
+	times_.addFrame(stageTimes(std::move(sections)));
 }
 
 void RenderThread::install(std::unique_ptr<session::Session> session)
@@ -154,6 +159,7 @@ void RenderThread::install(std::unique_ptr<session::Session> session)
 	rough_ = false;
 	neighbors_.drop();
 	session_ = std::move(session);
+	session_start_ms_ = times_.startOf(*session_->timeline());
 }
 
 void RenderThread::answer(const PictureRequest& wish, bool smooth)
@@ -169,7 +175,10 @@ Status RenderThread::show(const PictureRequest& wish, bool smooth)
 {
 	if (smooth)
 		return refine();
+	const FrameScope scope(++frames_, FrameScope::Stop::picture);
+	const TimedSection section(session_->timeline(), kFrameSection);
 	PresentedFrame shown;
+	shown.number = frames_;
 	shown.wish = wish;
 	if (Status followed = follow(wish); !followed)
 		return followed;
@@ -209,6 +218,7 @@ Status RenderThread::refine()
 	PresentedFrame shown = *this->shown();
 	if (shown.smooth || waits())
 		return Nothing{};
+	const FrameScope scope(shown.number, FrameScope::Stop::picture);
 	Result<bool> drawn = draw(shown, true);
 	if (!drawn)
 		return drawn.error();
@@ -232,6 +242,8 @@ void RenderThread::addLookups()
 Result<bool> RenderThread::draw(PresentedFrame& shown, bool smooth)
 {
 	const Moment start = std::chrono::steady_clock::now();
+	const TimedSection section(session_->timeline(), "render");
+	FrameScope::comesTo(FrameScope::Stop::picture, session_->timeline());
 	Result<render::Scene> scene = painter_->sceneOf(shown.cut->slice, shown.cut->sheets, grown_.contours);
 	if (!scene)
 		return scene.error();

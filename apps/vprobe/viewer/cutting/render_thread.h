@@ -7,6 +7,7 @@
 #include "viewer/cutting/gpu_pictures.h"
 #include "viewer/cutting/neighbor_builder.h"
 #include "viewer/cutting/sheet_lookups.h"
+#include "viewer/cutting/window_times.h"
 
 #include <atomic>
 #include <chrono>
@@ -87,6 +88,7 @@ struct PresentedFrame
 	double cut_ms = 0.0;                         // 0 if the cut before was reused
 	double draw_ms = 0.0;
 	std::uint64_t cuts = 0;     // made so far
+	int number = 0;             // in traces; with all its samples it has the same one
 	cut::Cutter::Memory memory; // of the cutter
 };
 
@@ -115,7 +117,7 @@ class RenderThread
 {
 public:
 	// wake: called on the render thread when something new is ready.
-	RenderThread(std::shared_ptr<gpu::Device> device, std::function<void()> wake);
+	RenderThread(std::shared_ptr<gpu::Device> device, std::function<void()> wake, WindowTimes& times);
 	~RenderThread();
 	RenderThread(const RenderThread&) = delete;
 	RenderThread& operator=(const RenderThread&) = delete;
@@ -129,7 +131,6 @@ public:
 	std::optional<Error> takeError();                    // why the last request failed
 	bool isBusy() const;                                 // a request waits or is under way
 	bool isIdle() const;                                 // the same of jobs and of samples to come: there is none
-	std::vector<Timeline::Section> sections() const;     // of about the last minute, for a trace
 
 private:
 	// The contours of a cut, and what they were grown for.
@@ -165,17 +166,20 @@ private:
 	static const render::SheetDrawing* sheetOfPane(const PresentedFrame& shown, const render::Scene& scene);
 	void publish(PresentedFrame shown);
 	bool waits() const;
-	void keepSections();
+	void keepTimes();
 
 	std::shared_ptr<gpu::Device> device_;
 	std::function<void()> wake_;
+	WindowTimes& times_;
 
 	// Used by the render thread only.
 	std::unique_ptr<session::Session> session_;
+	double session_start_ms_ = 0.0; // where its timeline starts on the time axis of the window
 	std::optional<picture::Painter> painter_;
 	std::optional<PictureRequest> followed_; // the request that session and painter follow
 	std::shared_ptr<const session::Frame> cut_;
 	std::uint64_t cuts_ = 0;
+	int frames_ = 0; // begun so far
 	NeighborBuilder neighbors_;
 	Grown grown_;
 	std::atomic<bool> rough_ = false; // the picture gets all its samples once the probe has rested
@@ -190,7 +194,6 @@ private:
 	std::unique_ptr<session::Session> next_session_;
 	std::shared_ptr<const PresentedFrame> shown_;
 	std::optional<Error> error_;
-	std::deque<Timeline::Section> sections_;
 	bool busy_ = false;
 	bool ends_ = false;
 	std::thread thread_; // must be the last member

@@ -13,8 +13,8 @@ namespace vp::app
 {
 
 Document::Document(interact::History<view::ViewSpec> history, std::shared_ptr<gpu::Device> device,
-                   std::function<void()> wake, ReadState read_state)
-    : settings(readSettings()), history_(std::move(history)), read_state_(std::move(read_state)),
+                   std::function<void()> wake, ReadState read_state, WindowTimes& times)
+    : settings(readSettings()), history_(std::move(history)), read_state_(std::move(read_state)), times_(times),
       recovery_file_(recoveryFile()), mail_(std::make_shared<Mail>()),
       messages_(
           [mail = mail_](Severity severity, std::string_view line)
@@ -24,7 +24,8 @@ Document::Document(interact::History<view::ViewSpec> history, std::shared_ptr<gp
 	          else
 		          printLine(line);
           }),
-      loader_(device, wake), jobs_(wake), render_thread_(device, wake), playback_(*this, render_thread_, jobs_, wake)
+      loader_(device, wake, times.keep()), jobs_(wake), render_thread_(device, wake, times),
+      playback_(*this, render_thread_, jobs_, wake)
 {
 	if (!leftRecoveryFiles().empty())
 		question = Question::recover;

@@ -12,6 +12,7 @@
 #include "viewer/document/file_jobs.h"
 #include "viewer/document/notice.h"
 #include "viewer/document/playback.h"
+#include "viewer/document/read_state.h"
 #include "viewer/document/user_files.h"
 
 #include <functional>
@@ -71,17 +72,15 @@ constexpr std::size_t kHintOfSweep = 3;
 constexpr std::size_t kHintOfSearch = 4;
 constexpr std::size_t kHints = 5;
 
-using ReadState = std::function<Result<view::ViewSpec>(const std::string& file)>;
-
 // Holds everything of a viewer except its window: the state and its history, the data, the render thread. The panels
 // and the pointer use it on the window's thread.
 class Document
 {
 public:
 	// history: the history of the previous document, whose device was lost, or a first state. read_state: reads a state
-	// file that --save or the window has written.
+	// file that --save or the window has written. times: where the time goes; it outlives the document.
 	Document(interact::History<view::ViewSpec> history, std::shared_ptr<gpu::Device> device, std::function<void()> wake,
-	         ReadState read_state);
+	         ReadState read_state, WindowTimes& times);
 	~Document();
 
 	// --- The state. Each change is a step of the history. Changes with the same merge key form one step until
@@ -133,6 +132,8 @@ public:
 
 	Playback& playback() { return playback_; }
 	const Playback& playback() const { return playback_; }
+
+	const WindowTimes& times() const { return times_; }
 
 	// --- The picture.
 	// Call this once a frame and after input: it sends changes to the render thread. size: of the part of the window
@@ -196,6 +197,7 @@ private:
 
 	interact::History<view::ViewSpec> history_;
 	ReadState read_state_;
+	WindowTimes& times_;
 	std::size_t sheet_ = 0;
 	std::optional<DatasetInfo> facts_;
 	std::optional<view::ViewSpec> loading_; // the state for the data that are being loaded

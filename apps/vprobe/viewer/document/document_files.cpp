@@ -78,6 +78,7 @@ void Document::takeLoaded()
 	const bool again = facts_ && facts_->inputs == next.input.files;
 	facts_ = factsOf(*session, next.input.files);
 	watcher_.watch(next.input.files);
+	times_.setInputs(next.input.files);
 	// Data that were read again keep the current state.
 	if (again)
 		notify(fmt::format("{} was read again", fmt::join(next.input.files, ", ")));
@@ -130,12 +131,12 @@ void Document::saveSlice(const std::string& file)
 void Document::saveTrace(const std::string& file)
 {
 	jobs_.run(file,
-	          [file, sections = render_thread_.sections()]() mutable
+	          [file, &times = times_]
 	          {
 		          Result<write::TraceFile> trace = write::TraceFile::create(file);
 		          if (!trace)
 			          return noticeOf(trace.error(), {});
-		          trace->add(std::move(sections));
+		          times.tell(*trace);
 		          return noticeOf(trace->commit(), fmt::format("Saved {}", file));
 	          });
 }

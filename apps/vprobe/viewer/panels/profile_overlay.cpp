@@ -99,6 +99,51 @@ void showMemory(const Desk& desk, const PresentedFrame& shown)
 	cutFact("Device", bytes(static_cast<double>(shown.memory.device)), "Blocks, values and polygons in device memory");
 }
 
+void stageRow(std::uint32_t depth, const std::string& name, double median, double last)
+{
+	ImGui::TableNextColumn();
+	ImGui::TextUnformatted((std::string(2 * depth, ' ') + name).c_str());
+	for (const double ms : {median, last})
+	{
+		const std::string number = fmt::format("{:.2f}", ms);
+		ImGui::TableNextColumn();
+		const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(number.c_str()).x;
+		ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, room));
+		ImGui::TextDisabled("%s", number.c_str());
+	}
+}
+
+// The stages of `vprobe profile`, under the same names.
+void showStages(const Desk& desk)
+{
+	const std::vector<StageFigure> stages = desk.document.times().stages();
+	if (stages.empty() || !ImGui::TreeNodeEx("Stages", ImGuiTreeNodeFlags_DefaultOpen))
+		return;
+	tip("Milliseconds a picture with one sample: the median of the last 60, and the last one");
+	if (ImGui::BeginTable("stages", 3))
+	{
+		const auto showTrack = [&](Timeline::Track track, std::uint32_t depth)
+		{
+			for (const StageFigure& stage : stages)
+				if (stage.track == track)
+					stageRow(stage.depth + depth, stage.name, stage.median, stage.last);
+		};
+		showTrack(Timeline::Track::cpu, 0);
+		double median = 0.0, last = 0.0;
+		for (const StageFigure& stage : stages)
+			if (stage.track == Timeline::Track::gpu)
+			{
+				median += stage.median;
+				last += stage.last;
+			}
+		if (last > 0.0)
+			stageRow(0, "gpu", median, last);
+		showTrack(Timeline::Track::gpu, 1);
+		ImGui::EndTable();
+	}
+	ImGui::TreePop();
+}
+
 void showCutFacts(const Desk& desk)
 {
 	const auto& shown = desk.document.shown();
@@ -117,13 +162,16 @@ void showProfile(Desk& desk, const ScenePart& part)
 	const auto width = static_cast<float>(std::min(kWidth * desk.scale, part.size.x - 20.0 * desk.scale));
 	ImGui::SetNextWindowPos({static_cast<float>(part.lo.x) + margin, static_cast<float>(part.lo.y) + margin});
 	ImGui::SetNextWindowSize({width, 0.0f});
+	const float room = std::max(1.0f, static_cast<float>(part.size.y) - 2.0f * margin); // past it, the overlay scrolls
+	ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, room});
 	ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().FrameRounding);
 	ImGui::Begin("profile", nullptr,
-	             ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
-	                 ImGuiWindowFlags_NoFocusOnAppearing);
+	             ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+	                 ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
 	const Theme& colors = theme(desk.document.settings.dark);
 	for (std::size_t i = 0; i < kRows.size(); ++i)
 		showRow(desk, kRows[i], colors.graph[i]);
+	showStages(desk);
 	showCutFacts(desk);
 	ImGui::BeginDisabled(!desk.document.shown());
 	if (ImGui::Button("Write a trace\u2026"))
