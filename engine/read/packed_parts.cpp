@@ -12,10 +12,26 @@
 namespace vp::read
 {
 
+namespace
+{
+
+// A reader begins with the name of its format.
+std::string formatOf(const std::string& reader)
+{
+	return reader.empty() ? "vtkhdf" : reader.substr(0, reader.find(' '));
+}
+
+// Of Zarr, the file is one in the folder that is the input.
+std::string inputOf(const parts::OpenFile& file, const std::string& reader)
+{
+	return formatOf(reader) == "zarr" ? std::filesystem::path(file.name()).parent_path().string() : file.name();
+}
+
+} // namespace
+
 PackedParts::PackedParts(std::shared_ptr<const parts::OpenFile> file, const parts::Layout& layout, Place place)
     : file_(std::move(file)), place_(std::move(place)),
-      unpacker_(place_.reader.empty() ? file_->name() : std::filesystem::path(file_->name()).parent_path().string(),
-                place_.reader.empty() ? "vtkhdf" : "zarr", layout.bytesOf(0),
+      unpacker_(inputOf(*file_, place_.reader), formatOf(place_.reader), layout.bytesOf(0),
                 place_.reader.empty() ? place_.filters : place_.reader)
 {
 }

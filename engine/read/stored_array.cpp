@@ -115,7 +115,8 @@ std::shared_ptr<const parts::PartStore> storedArray(const json& place, const gri
 	{
 		PackedParts::Place where{.number_bytes = number_bytes, .swaps = swaps};
 		where.reader = place.at("reader").get<std::string>();
-		if (!where.reader.starts_with("zarr ") || where.reader.find('\0') != std::string::npos)
+		const bool is_known = where.reader.starts_with("zarr ") || where.reader.starts_with("tiff ");
+		if (!is_known || where.reader.find('\0') != std::string::npos)
 			throw Unusable("an array stays where nobody can read it");
 		return std::make_shared<parts::PartStore>(layout,
 		                                          std::make_unique<PackedParts>(file, layout, std::move(where)));

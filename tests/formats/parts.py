@@ -278,6 +278,34 @@ def stored_zarr(folder):
     same(folder / 'marked.zarr', stays=False)
 
 
+# Rows of plain pages, and the strips and tiles of others, which libtiff unpacks.
+def stored_tiff(folder):
+    numpy, tifffile = need('numpy'), need('tifffile')
+    values = field(numpy)
+    ways = {'plain': {}, 'big': {'byteorder': '>', 'bigtiff': True}, 'imagej': {'imagej': True}, 'rows': {'rowsperstrip': 5},
+            'zlib': {'compression': 'zlib', 'rowsperstrip': 5}, 'whole': {'compression': 'zlib'},
+            'tiles': {'tile': (16, 16)}, 'packed': {'tile': (16, 32), 'compression': 'zlib', 'byteorder': '>'},
+            'predictor': {'compression': 'zlib', 'predictor': True, 'dtype': 'u2', 'rowsperstrip': 7}}
+    for name, way in ways.items():
+        kind = way.pop('dtype', 'f4')
+        array = numpy.abs(values).astype(kind)
+        tifffile.imwrite(folder / f'{name}.tif', array, photometric='minisblack', **way)
+        small = PACKED if {'compression', 'tile'} & set(way) else '2K'
+        same(folder / f'{name}.tif', ['--interpolate', 'linear'], memory=small)
+    for planar in ('contig', 'separate'):
+        colors = numpy.stack([values, 2 * values, 3 * values], axis=1 if planar == 'separate' else -1).astype('u1')
+        for name, more in (('plain', {}), ('tiles', {'tile': (16, 16)}), ('packed', {'compression': 'zlib'})):
+            path = folder / f'{planar}-{name}.tif'
+            tifffile.imwrite(path, colors, photometric='rgb', planarconfig=planar, **more)
+            same(path, memory='1K')
+    both = numpy.stack([numpy.stack([values * (t + 1), values + t], axis=1) for t in range(2)])  # t, z, c, y, x
+    for name, more in (('ome', {}), ('ome-packed', {'compression': 'zlib'})):
+        path = folder / f'{name}.ome.tif'
+        tifffile.imwrite(path, both, ome=True, photometric='minisblack', metadata={'axes': 'TZCYX'}, **more)
+        for time in ('#0', '#1'):
+            same(path, ['--array', 'channel 1', '--time', time], memory='4K')
+
+
 def stored_hdf5_steps(folder):
     h5py, numpy = need('h5py'), need('numpy')
     path = folder / 'steps.hdf'
@@ -428,4 +456,4 @@ def stored_options(folder):
 
 
 CASES = [stored_raw, stored_rows_across, stored_numpy, stored_mrc, stored_vtk, stored_meta, stored_hdf5, stored_hdf5_steps,
-         stored_zarr, stored_xdmf, stored_converted, stored_options]
+         stored_zarr, stored_tiff, stored_xdmf, stored_converted, stored_options]

@@ -1,5 +1,6 @@
 #include "vprobe-read/arrays/packed_parts.h"
 
+#include "tiff_volume.h"
 #include "vprobe-read/base/mapped_text.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/hdf5/hdf5_filters.h"
@@ -9,6 +10,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <sstream>
 #include <vector>
 
@@ -43,6 +45,50 @@ arrays::UnpackPart fromZarr(const std::filesystem::path& folder, std::istream& i
 	{ array->readPart(front, part.offset, to); };
 }
 
+// libtiff reads a file by one thread at a time, so each thread has it open.
+class OpenTiffs
+{
+public:
+	OpenTiffs(std::string file, std::uint32_t time) : file_(std::move(file)), time_(time) {}
+
+	template <class Use>
+	void use(const Use& use)
+	{
+		std::unique_ptr<volumes::TiffVolume> volume;
+		{
+			const std::lock_guard lock(mutex_);
+			if (!idle_.empty())
+			{
+				volume = std::move(idle_.back());
+				idle_.pop_back();
+			}
+		}
+		if (!volume)
+		{
+			volume = std::make_unique<volumes::TiffVolume>(file_);
+			volume->choose(time_);
+		}
+		use(*volume);
+		const std::lock_guard lock(mutex_);
+		idle_.push_back(std::move(volume));
+	}
+
+private:
+	std::string file_;
+	std::uint32_t time_;
+	std::mutex mutex_;
+	std::vector<std::unique_ptr<volumes::TiffVolume>> idle_;
+};
+
+arrays::UnpackPart fromTiff(const std::string& file, std::istream& indices)
+{
+	std::uint32_t channel = 0, time = 0;
+	indices >> channel >> time;
+	const auto files = std::make_shared<OpenTiffs>(file, time);
+	return [files, channel](const arrays::PackedPart& part, std::span<std::byte> to)
+	{ files->use([&](volumes::TiffVolume& volume) { volume.readPart(channel, part.offset, to); }); };
+}
+
 } // namespace
 
 arrays::UnpackPart arrays::unpackerOf(const std::string& file, const std::string& how)
@@ -50,7 +96,7 @@ arrays::UnpackPart arrays::unpackerOf(const std::string& file, const std::string
 	std::istringstream words(how);
 	std::string reader;
 	words >> reader;
-	return reader == "zarr" ? fromZarr(file, words) : fromChunks(file, how);
+	return reader == "zarr" ? fromZarr(file, words) : reader == "tiff" ? fromTiff(file, words) : fromChunks(file, how);
 }
 
 } // namespace vp::reader

@@ -22,8 +22,9 @@ using grid::NumberType;
 namespace
 {
 
-std::string first_tiff_error;
-bool reads_values = false;
+// libtiff tells them without saying of which file, so each thread has its own.
+thread_local std::string first_tiff_error;
+thread_local bool reads_values = false;
 
 void keepTiffError(const char*, const char* format, va_list arguments)
 {
@@ -207,6 +208,72 @@ bool TiffPages::isPlain(std::uint64_t page)
 	       !isPlanar(tiff) && kind(page).bits >= 8 && TIFFNumberOfStrips(tiff) >= 1;
 }
 
+std::optional<std::uint64_t> TiffPages::plainBegin(std::uint64_t page)
+{
+	auto* tiff = static_cast<TIFF*>(tiff_);
+	if (!isPlain(page) || tag<std::uint16_t>(tiff, TIFFTAG_FILLORDER, FILLORDER_MSB2LSB) != FILLORDER_MSB2LSB)
+		return std::nullopt;
+	const std::uint64_t begin = TIFFGetStrileOffset(tiff, 0), row_bytes = kind(page).bytes() / kind(page).height;
+	const auto rows = tag<std::uint32_t>(tiff, TIFFTAG_ROWSPERSTRIP, 0);
+	for (std::uint32_t strip = 0; strip < TIFFNumberOfStrips(tiff); ++strip)
+		if (TIFFGetStrileOffset(tiff, strip) != begin + strip * std::uint64_t(rows) * row_bytes)
+			return std::nullopt;
+	refuseOnTiffError();
+	return begin;
+}
+
+bool TiffPages::isSwapped() const
+{
+	return TIFFIsByteSwapped(static_cast<TIFF*>(tiff_)) != 0;
+}
+
+std::array<std::uint32_t, 2> TiffPages::blockSize(std::uint64_t page)
+{
+	select(page);
+	auto* tiff = static_cast<TIFF*>(tiff_);
+	const TiffPageKind& of_page = kind(page);
+	std::array<std::uint32_t, 2> size = {of_page.width, of_page.height};
+	if (TIFFIsTiled(tiff))
+		size = {tag<std::uint32_t>(tiff, TIFFTAG_TILEWIDTH, 0), tag<std::uint32_t>(tiff, TIFFTAG_TILELENGTH, 0)};
+	else
+		size[1] = std::min(size[1], tag<std::uint32_t>(tiff, TIFFTAG_ROWSPERSTRIP, size[1]));
+	if (size[0] == 0 || size[1] == 0)
+		throw damaged("its strips or tiles have no size");
+	return size;
+}
+
+void TiffPages::readBlock(std::uint64_t page, std::uint64_t across, std::uint64_t down, char* to)
+{
+	const std::array<std::uint32_t, 2> size = blockSize(page);
+	beginValues();
+	auto* tiff = static_cast<TIFF*>(tiff_);
+	const TiffPageKind& of_page = kind(page);
+	const bool planar = isPlanar(tiff), tiled = TIFFIsTiled(tiff);
+	const std::size_t number = byteSize(of_page.type()), pixel = number * of_page.samples;
+	const std::size_t row_bytes = (std::uint64_t(size[0]) * of_page.bits * (planar ? 1u : of_page.samples) + 7) / 8;
+	const std::uint64_t x = across * size[0], y = down * size[1];
+	if (x >= of_page.width || y >= of_page.height)
+		throw damaged("a page has fewer tiles than are asked for");
+	const std::uint64_t rows = std::min<std::uint64_t>(size[1], of_page.height - y);
+	const auto count = static_cast<std::uint32_t>(std::min<std::uint64_t>(size[0], of_page.width - x));
+	std::vector<char> block(row_bytes * size[1]);
+	const ReadingValues reading;
+	for (std::uint16_t sample = 0; sample < (planar ? of_page.samples : 1); ++sample)
+	{
+		const auto x32 = static_cast<std::uint32_t>(x), y32 = static_cast<std::uint32_t>(y);
+		const std::uint32_t place =
+		    tiled ? TIFFComputeTile(tiff, x32, y32, 0, sample) : TIFFComputeStrip(tiff, y32, sample);
+		const auto room = static_cast<tmsize_t>(tiled ? block.size() : row_bytes * rows);
+		const tmsize_t read = tiled ? TIFFReadEncodedTile(tiff, place, block.data(), room)
+		                            : TIFFReadEncodedStrip(tiff, place, block.data(), room);
+		refuseOnTiffError(read != room);
+		for (std::uint64_t row = 0; row < rows; ++row)
+			putPixels(block.data() + row * row_bytes, of_page, count, planar,
+			          to + row * size[0] * pixel + sample * number);
+	}
+	refuseOnTiffError();
+}
+
 void TiffPages::readTiles(const TiffPageKind& kind, char* to)
 {
 	auto* tiff = static_cast<TIFF*>(tiff_);
@@ -250,9 +317,9 @@ void TiffPages::readRows(const TiffPageKind& kind, char* to)
 		}
 }
 
-void TiffPages::read(std::uint64_t page, char* to)
+// Refuses values of the selected page that cannot be unpacked.
+void TiffPages::beginValues()
 {
-	select(page);
 	auto* tiff = static_cast<TIFF*>(tiff_);
 	const auto compression = tag<std::uint16_t>(tiff, TIFFTAG_COMPRESSION, COMPRESSION_NONE);
 	if (!TIFFIsCODECConfigured(compression))
@@ -262,6 +329,13 @@ void TiffPages::read(std::uint64_t page, char* to)
 	if (compression == COMPRESSION_JPEG &&
 	    tag<std::uint16_t>(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK) == PHOTOMETRIC_YCBCR)
 		TIFFSetField(tiff, TIFFTAG_JPEGCOLORMODE, JPEGCOLORMODE_RGB);
+}
+
+void TiffPages::read(std::uint64_t page, char* to)
+{
+	select(page);
+	auto* tiff = static_cast<TIFF*>(tiff_);
+	beginValues();
 	const ReadingValues reading;
 	if (TIFFIsTiled(tiff))
 		readTiles(kind(page), to);

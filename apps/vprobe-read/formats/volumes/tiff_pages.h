@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,7 +49,16 @@ public:
 	// Reads the plane with this number of those that follow the values of the first page, which have no pages of their
 	// own: so ImageJ writes what is larger than 4 GiB.
 	void readBehindFirst(std::uint64_t plane, char* to);
-	bool isPlain(std::uint64_t page); // its values stand in the file as they are, one after the other
+	bool isPlain(std::uint64_t page); // its values stand in the file as they are, in strips
+	// Returns where the values of such a page begin, if its strips lie one after the other.
+	std::optional<std::uint64_t> plainBegin(std::uint64_t page);
+	bool isSwapped() const; // its numbers have the other order of bytes
+
+	// Returns the width and height of the tiles of a page, or of its strips.
+	std::array<std::uint32_t, 2> blockSize(std::uint64_t page);
+	// Reads a tile or strip, by its place in the page, into rows of its own width. Pixels beyond the page stay as they
+	// are.
+	void readBlock(std::uint64_t page, std::uint64_t across, std::uint64_t down, char* to);
 
 private:
 	struct Page
@@ -58,6 +68,7 @@ private:
 		std::uint64_t place;
 	};
 	void select(std::uint64_t page);
+	void beginValues();
 	void readTiles(const TiffPageKind& kind, char* to);
 	void readRows(const TiffPageKind& kind, char* to);
 
