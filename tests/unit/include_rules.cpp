@@ -208,6 +208,28 @@ TEST(IncludeRules, ReadersStayInTheChildProcess)
 			}
 }
 
+// Each folder of the reader is a namespace. A source file that defines what another folder declares is in vp::reader,
+// as are the names of base and the list of formats.
+TEST(IncludeRules, EachFolderOfTheReaderIsANamespace)
+{
+	std::size_t files = 0;
+	for (const fs::path& file : filesUnder("apps/vprobe-read"))
+	{
+		const bool is_header = file.extension() == ".h";
+		const std::string folder = file.parent_path().filename().string();
+		if ((!is_header && file.extension() != ".cpp") || folder == "vprobe-read")
+			continue;
+		++files;
+		const std::string text = textOf(kRoot / file);
+		const auto opens = [&](const std::string& name)
+		{ return text.find("\nnamespace " + name + "\n{") != std::string::npos; };
+		const bool may_be_outside = folder == "base" || !is_header || file.filename() == "formats.h";
+		EXPECT_TRUE(opens("vp::reader::" + folder) || (may_be_outside && opens("vp::reader"))) << file;
+		EXPECT_EQ(text.find("using namespace"), std::string::npos) << file;
+	}
+	EXPECT_GT(files, 300u);
+}
+
 // The engine is a library: its messages name settings by their keys, and it neither ends a program nor prints.
 TEST(IncludeRules, TheEngineDoesNotKnowItsProgram)
 {

@@ -64,7 +64,7 @@ enum class Codec
 struct Packing
 {
 	Codec codec = Codec::none;
-	std::size_t word_bytes = 4; // of the numbers in front of an array
+	std::size_t word_bytes = 4; // the width of the numbers in front of an array
 	bool is_big_endian = false; // the numbers in front and those of the array
 };
 

@@ -45,7 +45,7 @@ private:
 template <class Number>
 Number numberOf(std::string_view word)
 {
-	if constexpr (std::is_integral_v<Number>) // of 64 bits exactly
+	if constexpr (std::is_integral_v<Number>) // exact with 64 bits
 	{
 		Number whole = 0;
 		const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;

@@ -41,9 +41,9 @@ public:
 	// Begins the next part, which has about so many cells. Returns false if it is not asked for. A part within a part
 	// belongs to the outer one.
 	bool begin(std::size_t cells);
-	// Begins the next lattice that is alone in its file, with so many layers of so many cells each. Its slabs are parts
-	// of one block with these facts (see beginBlock()). Returns the layers that are asked for, which are adjacent, or
-	// nothing.
+	// Begins the next lattice that is alone in its file, with so many layers of so many cells each. Its slabs are the
+	// parts of one block with these facts (see beginBlock()). Returns the layers that are asked for, which are
+	// adjacent, or nothing.
 	std::optional<CellLayers> beginLattice(nlohmann::json facts, std::size_t layers, std::size_t cells_of_layer);
 	// Returns true if such a lattice is split here.
 	bool splits() const { return filters() && !isInside() && !in_block_ && slabs_ > 1; }

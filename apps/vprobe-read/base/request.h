@@ -34,7 +34,7 @@ struct Request
 	std::size_t level = 0;      // of images at several resolutions, 0 the finest
 	int threads = 1;            // the most to use
 	std::string convert_to;     // the file that is to be written; mostly empty
-	std::string convert_folder; // of the parent's, into which it is written
+	std::string convert_folder; // a folder of the parent's, into which it is written
 	ArrayWish arrays;           // those to hand over
 	std::uint64_t stays_above = ~std::uint64_t(0); // arrays of more bytes may stay in the file
 	std::string unpack;                            // how the parts are packed that are to be unpacked; mostly empty

@@ -18,7 +18,7 @@ namespace vp::reader::cells
 // Counts the cells that are not handed over unchanged.
 struct CellCounts
 {
-	std::size_t flat = 0;                           // of dimension below three
+	std::size_t flat = 0;                           // cells of dimension below three
 	std::size_t hidden = 0;                         // ghosts, refined and blanked cells
 	std::size_t trimmed = 0;                        // that list more points than their type has
 	std::map<std::uint8_t, std::size_t> not_sliced; // three-dimensional, of a type that cannot be sliced, by type

@@ -67,7 +67,7 @@ private:
 		vtkDataArray* given;
 		vtkDataArray* grown;
 		bool whole;   // integers
-		Ranges range; // of integers
+		Ranges range; // the range of integers
 
 		double kept(double value, int component) const;
 	};
@@ -84,7 +84,7 @@ private:
 	std::size_t width_ = 3; // numbers a node: coordinates and every component
 	vtkIdList* cell_ = nullptr;
 	bool gathered_ = false;
-	std::vector<double> cell_values_; // of the cell's nodes
+	std::vector<double> cell_values_; // the values at the cell's nodes
 	std::vector<double> sum_;
 	std::unordered_map<Key, vtkIdType, Hash> between_;
 };

@@ -40,7 +40,7 @@ struct CellKind
 	std::array<int, 3> degrees;
 	std::vector<Vec3> at;
 	bool handles = false; // its points are not places (Bézier)
-	NodeOrder order;      // of the file, while the cells are looked at
+	NodeOrder order;      // that of the file, while the cells are looked at
 };
 
 // Takes the curved cells of a grid one after the other.

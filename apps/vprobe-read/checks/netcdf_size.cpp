@@ -71,7 +71,7 @@ private:
 	struct Variable
 	{
 		std::uint64_t begin = 0;
-		std::uint64_t bytes = 0; // of one record, for a variable with records
+		std::uint64_t bytes = 0; // the size of one record, for a variable with records
 		bool record = false;
 	};
 

@@ -124,7 +124,7 @@ void refuseShortAppendedData(std::string_view text)
 	                 [&](std::string_view value)
 	                 {
 		                 if (value.empty())
-			                 return; // of a step whose data are those of another
+			                 return; // the data of this step are those of another
 		                 std::uint64_t offset = ~std::uint64_t(0);
 		                 std::from_chars(value.data(), value.data() + value.size(), offset);
 		                 if (!arrays.holds(offset))

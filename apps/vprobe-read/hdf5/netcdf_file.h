@@ -158,7 +158,7 @@ protected:
 	int release() { return std::exchange(id_, -1); } // which the caller closes
 
 private:
-	static constexpr std::size_t kMaxNumbers = 4096; // of one attribute
+	static constexpr std::size_t kMaxNumbers = 4096; // in one attribute
 	static constexpr std::size_t kMaxLetters = 1 << 16;
 
 	int id_ = -1;

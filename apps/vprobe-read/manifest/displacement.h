@@ -59,7 +59,7 @@ private:
 	int pauses_ = 0;
 	std::size_t seen_ = 0;
 	std::size_t moved_ = 0;
-	std::set<std::string> vectors_;    // of points
+	std::set<std::string> vectors_;    // names of vectors at points
 	std::set<std::string> candidates_; // whose names say that they hold displacements
 	std::map<std::array<double, 3>, std::array<double, 3>> places_;
 };

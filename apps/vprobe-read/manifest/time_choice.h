@@ -19,7 +19,7 @@ std::vector<double> inOrder(std::vector<double> times);
 struct StepsInTime
 {
 	std::vector<double> times;      // ascending, one for each step
-	std::vector<std::size_t> steps; // of the file, in the same order
+	std::vector<std::size_t> steps; // their numbers in the file, in the same order
 };
 // Sorts the steps. If a time is not a number, numbers the steps instead, and warns about it.
 StepsInTime stepsInTime(const std::vector<double>& times, Writer& manifest);

@@ -16,7 +16,7 @@ struct Piece
 	const text::XmlElement* element;
 	std::uint64_t points;
 	std::uint64_t cells;
-	std::uint64_t first_point = 0; // of the arrays; those before are left out
+	std::uint64_t first_point = 0; // in the arrays; those before are left out
 	std::uint64_t first_cell = 0;
 	std::uint64_t all_points = points; // with those that are left out
 	std::uint64_t all_cells = cells;
@@ -35,7 +35,7 @@ struct ByteRange
 {
 	std::uint64_t first = 0;
 	std::uint64_t count = 0;
-	std::uint64_t all = 0; // of the array
+	std::uint64_t all = 0; // bytes of the whole array
 };
 
 // Adds tasks that copy some bytes of an array to a place in the shared memory.

@@ -16,7 +16,7 @@ namespace vp::reader::text
 struct Numbers
 {
 	std::uint64_t count = 0;
-	std::int64_t last = 0;    // of whole numbers; 0 if there are none
+	std::int64_t last = 0;    // the last of whole numbers; 0 if there are none
 	bool is_strange = false;  // whether a number is written in a way that VTK's readers do not know: nan, 1D2, 1.0-100
 	std::uint64_t behind = 0; // the place behind the numbers
 };

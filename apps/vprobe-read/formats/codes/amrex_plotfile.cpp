@@ -123,7 +123,7 @@ private:
 					throw damaged("cells without a size");
 		}
 		plot_.is_cartesian = at_.integer() == 0;
-		at_.integer(); // of a boundary
+		at_.integer(); // the number of a boundary
 	}
 
 	// Boxes by the places of their ends; the level's own file has them by cells.

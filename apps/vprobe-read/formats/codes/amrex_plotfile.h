@@ -15,12 +15,12 @@ namespace vp::reader::codes
 // The header of a plot file of AMReX or BoxLib, a folder.
 struct AmrexPlot
 {
-	std::vector<std::string> names; // of the components
+	std::vector<std::string> names; // names of components
 	double time = 0.0;
-	std::array<double, 3> lo{};                     // of the domain
-	std::vector<std::array<double, 3>> sizes;       // of a level's cells
-	std::vector<std::array<std::int64_t, 3>> first; // of a level's domain: the cell at `lo`
-	std::vector<std::string> folders;               // of the levels, with the start of their files' names
+	std::array<double, 3> lo{};                     // the least corner of the domain
+	std::vector<std::array<double, 3>> sizes;       // the sizes of a level's cells
+	std::vector<std::array<std::int64_t, 3>> first; // the first cell of a level's domain, at `lo`
+	std::vector<std::string> folders;               // folders of levels, with the start of their files' names
 	bool is_cartesian = true;
 	boxes::AmrLevels levels; // boxes without files
 };

@@ -156,7 +156,7 @@ EnzoHierarchy parseEnzoHierarchy(std::string_view text)
 
 boxes::AmrLevels enzoLevels(const EnzoHierarchy& hierarchy)
 {
-	std::vector<double> spacings; // of the levels, along x
+	std::vector<double> spacings; // the spacing of each level, along x
 	for (const EnzoGrid& grid : hierarchy.grids)
 		spacings.push_back(spacingOf(grid.box, 0));
 	std::sort(spacings.rbegin(), spacings.rend());

@@ -19,7 +19,7 @@ struct EnzoGrid
 	std::string file;
 };
 
-// What the text says that lists the boxes of Enzo.
+// Holds the facts in the text that lists the boxes of Enzo.
 struct EnzoHierarchy
 {
 	std::vector<EnzoGrid> grids;
@@ -31,7 +31,7 @@ EnzoHierarchy parseEnzoHierarchy(std::string_view text);
 // The grids by their levels, from the coarsest; the number of a box is its place in the list of grids.
 boxes::AmrLevels enzoLevels(const EnzoHierarchy& hierarchy);
 
-// What the values of a variable are multiplied with to be in CGS units: from the file of parameters, which has the
+// The factors that bring the values of variables to CGS units: from the file of parameters, which has the
 // hierarchy's name without its ending. Empty where that says nothing.
 std::map<std::string, double> enzoFactors(const std::string& hierarchy);
 

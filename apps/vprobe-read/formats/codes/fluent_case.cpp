@@ -103,7 +103,7 @@ void FluentCaseParser::readNodes(const FluentSection& section)
 		return;
 	}
 	if (head[2] < std::max<std::int64_t>(head[1], 1))
-		return; // of none
+		return; // an empty zone
 	if (section.body == 0)
 		throw damaged("a zone of nodes without their places");
 	text::Cursor at = sections_.bodyOf(section);
@@ -171,7 +171,7 @@ void FluentCaseParser::readFaces(const FluentSection& section)
 		return;
 	}
 	if (head[2] < std::max<std::int64_t>(head[1], 1))
-		return; // of none
+		return; // an empty zone
 	if (section.body == 0)
 		throw damaged("a zone of faces without their corners");
 	face_zones_.push_back({head[1], head[2]});

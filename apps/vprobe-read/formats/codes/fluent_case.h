@@ -28,7 +28,7 @@ struct FluentCase
 {
 	std::vector<double> coordinates;
 	std::int64_t cells = 0;
-	std::vector<FluentZone> zones; // of cells that exist
+	std::vector<FluentZone> zones; // zones of cells that exist
 	// Per face its corners, and the cells on both sides; -1 where there is none.
 	std::vector<std::size_t> face_starts = {0};
 	std::vector<std::int32_t> corners;

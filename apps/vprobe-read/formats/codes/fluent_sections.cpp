@@ -12,7 +12,7 @@ namespace vp::reader::codes
 namespace
 {
 
-// What Fluent writes in its section 4 on machines with little endian numbers.
+// Fluent writes this in its section 4 on machines with little endian numbers.
 constexpr std::string_view kFluentLittleEndian = "60";
 
 bool isFluentBlank(char c)

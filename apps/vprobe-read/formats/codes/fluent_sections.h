@@ -1,5 +1,6 @@
 #pragma once
 
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/text/text_cursor.h"
 
 #include <cstdint>
@@ -15,7 +16,7 @@ struct FluentSection
 	int number = 0;
 	std::string_view head; // the words of the first list
 	std::size_t body = 0;  // where the second list begins, behind its parenthesis; 0 where there is none
-	std::size_t end = 0;   // of that list; of the file where it is binary
+	std::size_t end = 0;   // the end of that list, or of the file if it is binary
 	bool is_binary = false;
 
 	// The number without what tells its kind: 10 of 2010 and 3010.

@@ -202,7 +202,7 @@ std::vector<FoamFieldFile> FoamCase::fields(const std::string& region) const
 		const fs::path path = entry.path();
 		const bool is_packed = path.extension() == ".gz";
 		if (!entry.is_regular_file(none) || isBackup(path.filename().string()) ||
-		    (is_packed && fs::is_regular_file(folder / path.stem(), none))) // of both, the plain one counts
+		    (is_packed && fs::is_regular_file(folder / path.stem(), none))) // if both are there, the plain one counts
 			continue;
 		const std::string bytes = firstBytes(path);
 		if (is_packed && (bytes.empty() || entry.file_size(none) == 0))

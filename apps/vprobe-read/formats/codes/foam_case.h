@@ -30,12 +30,12 @@ struct FoamFieldFile
 {
 	std::filesystem::path path;
 	FoamHead head;
-	std::string name; // of its array
+	std::string name; // the name of its array
 };
 
 struct FoamTime
 {
-	std::string name; // of its folder
+	std::string name; // the name of its folder
 	double value;
 };
 
@@ -62,7 +62,7 @@ public:
 private:
 	// A file of the mesh, which may move or change: as it was last written. Empty if there is none.
 	std::filesystem::path meshFile(const std::string& region, const std::string& name) const;
-	// What `parse` makes of a file's text, or of some that is at hand. A refusal names the file.
+	// Returns the result of `parse` for a file's text, or for a text that is at hand. A refusal names the file.
 	template <class Parse>
 	auto parsed(const std::filesystem::path& file, const Parse& parse,
 	            const std::optional<std::string>& text = std::nullopt) const;

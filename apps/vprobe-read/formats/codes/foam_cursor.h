@@ -44,7 +44,7 @@ public:
 	bool take(char wanted); // false, and nothing taken, if another is next
 	void expect(char wanted);
 	FoamToken token();
-	// What is left of this line.
+	// Returns the rest of this line.
 	std::string_view restOfLine();
 
 	std::int64_t integer();

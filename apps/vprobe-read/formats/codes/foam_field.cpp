@@ -216,7 +216,7 @@ std::shared_ptr<const FoamList> valuesAtPatch(const FoamDictionary* boundary, co
 	return nullptr;
 }
 
-// What is added to all values of a field.
+// Adds a level to all values of a field.
 void raise(std::shared_ptr<const FoamList>& list, const std::vector<double>& level)
 {
 	FoamList raised = *list;
@@ -260,7 +260,7 @@ FoamField foamField(const FoamDocument& document, std::size_t elements, std::spa
 		throw damaged("it is no field of cells or points");
 	const FoamEntry* inside = document.root.find("internalField");
 	if (!inside)
-		inside = document.root.find("value"); // of a field without a boundary
+		inside = document.root.find("value"); // the field has no boundary
 	if (!inside)
 		throw FoamUnknown(withSkipped("it has no internalField", document));
 	FoamField field;

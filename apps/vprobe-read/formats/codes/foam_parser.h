@@ -12,7 +12,7 @@ namespace vp::reader::codes
 {
 
 constexpr std::string_view kFoamHeadName = "FoamFile";
-constexpr int kMaxFoamNesting = 64; // of braces and of included files
+constexpr int kMaxFoamNesting = 64; // for braces and for included files
 
 // A text and the file that it is of.
 struct FoamInput
@@ -61,7 +61,7 @@ private:
 	void readDirective(std::string_view name, FoamInput& in, FoamDictionary& into);
 	void setMode(std::string_view mode);
 	void removeEntries(FoamCursor& at, FoamDictionary& into);
-	// What stands for one word of a condition.
+	// Returns the text that stands for one word of a condition.
 	std::string wordOfCondition(FoamCursor& at, const FoamDictionary& from);
 	void readCondition(std::string_view name, FoamCursor& at, const FoamDictionary& from);
 	// Behind the #endif, or behind the #else if it is wanted.

@@ -9,18 +9,18 @@
 namespace vp::reader::codes
 {
 
-// What a restart file of MFIX (.RES) says that the files of values (.SP1 ...) need.
+// Holds the facts in a restart file of MFIX (.RES) that the files of values (.SP1 ...) need.
 struct MfixRestart
 {
 	std::array<std::size_t, 3> cells; // with a layer of ghost cells at each side
-	double start = 0.0;               // of x, behind the first of them
+	double start = 0.0;               // x behind the first of them
 	std::array<std::vector<double>, 3> widths;
 	bool is_cylindrical = false;
 	std::string length_units;
 	double version = 0.0;
-	std::size_t phases = 0;           // of solids
-	std::vector<std::size_t> species; // of the gas, and of each phase of solids
-	std::vector<std::int32_t> flags;  // of cells: from 10 on, a boundary or nothing
+	std::size_t phases = 0;           // phases of solids
+	std::vector<std::size_t> species; // how many the gas has, and each phase of solids
+	std::vector<std::int32_t> flags;  // a flag for each cell: from 10 on, a boundary or nothing
 	std::size_t scalars = 0;
 	std::size_t reactions = 0;
 	bool has_turbulence = false;

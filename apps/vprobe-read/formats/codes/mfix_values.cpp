@@ -28,7 +28,7 @@ struct MfixFile
 	}
 };
 
-// What case.SP1 to case.SPB hold. Names are those that ParaView shows.
+// Lists the variables in case.SP1 to case.SPB. Their names are those that ParaView shows.
 std::vector<MfixFile> mfixFiles(const MfixRestart& mesh)
 {
 	std::vector<MfixFile> files(11);

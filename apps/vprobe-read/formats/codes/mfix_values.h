@@ -21,7 +21,7 @@ struct MfixVariable
 class MfixValues
 {
 public:
-	// Of a file that is there. `parts`: the number of its variables.
+	// Reads a file that is there. `parts`: the number of its variables.
 	MfixValues(const std::string& path, std::size_t parts, std::vector<MfixVariable> variables,
 	           const MfixRestart& mesh);
 
@@ -30,14 +30,14 @@ public:
 	// The last step of the greatest time that is not after `time`, or else of the least time: a run that was started
 	// again may have written a time twice, or gone back.
 	std::size_t stepAt(double time) const;
-	// Of all cells, with the ghosts.
+	// Returns the values of all cells, with the ghosts.
 	std::vector<float> values(std::size_t part, std::size_t step) const;
 
 private:
 	MappedText file_;
 	std::size_t parts_;
 	std::size_t cells_;
-	std::size_t records_; // of a variable
+	std::size_t records_; // those of a variable
 	std::vector<MfixVariable> variables_;
 	std::vector<double> times_;
 };

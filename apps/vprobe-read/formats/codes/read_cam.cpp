@@ -32,7 +32,7 @@ namespace
 
 using CamSides = std::vector<std::pair<std::string, std::size_t>>;
 
-// Of the files beside the results, the first that lists quads. Empty where there is none.
+// Returns the first file beside the results that lists quads, or an empty text if there is none.
 std::string quadsBeside(const std::string& file)
 {
 	namespace fs = std::filesystem;
@@ -53,7 +53,7 @@ std::string quadsBeside(const std::string& file)
 struct CamLayer
 {
 	std::vector<double> x, y;
-	std::vector<std::size_t> columns; // of the file, for each place
+	std::vector<std::size_t> columns; // the column in the file, for each place
 	std::vector<std::array<std::size_t, 4>> quads;
 	std::size_t around_a_pole = 0; // quads that are left out
 };

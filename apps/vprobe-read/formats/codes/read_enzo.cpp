@@ -98,7 +98,7 @@ void readEnzo(const Request& request, manifest::Writer& manifest)
 	const boxes::AmrLevels levels = enzoLevels(hierarchy);
 	boxes::offerOnlyTime(hierarchy.time, request, manifest);
 	EnzoFiles files(request.file);
-	std::optional<std::set<std::string>> variables; // of the first grid
+	std::optional<std::set<std::string>> variables; // those of the first grid
 	for (std::size_t level = 0; level < levels.boxes.size(); ++level)
 		for (const boxes::AmrBox& at : levels.boxes[level])
 		{

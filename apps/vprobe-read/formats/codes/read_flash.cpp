@@ -23,7 +23,7 @@ constexpr std::int64_t kFlashLeaf = 1;
 
 struct FlashTree
 {
-	std::vector<double> bounds; // of each block, along each axis from and to
+	std::vector<double> bounds; // for each block, along each axis from and to
 	std::vector<std::int64_t> kinds;
 	std::vector<std::int64_t> levels;
 
@@ -47,7 +47,7 @@ struct FlashVariable
 {
 	std::string name;
 	std::string path;           // which may end with blanks
-	std::vector<double> values; // of all blocks
+	std::vector<double> values; // the values of all blocks
 };
 
 std::vector<FlashVariable> flashVariables(const hdf5::File& file)

@@ -34,7 +34,7 @@ namespace
 struct FluentArray
 {
 	vtkSmartPointer<vtkDoubleArray> values;
-	std::vector<std::pair<vtkIdType, vtkIdType>> parts; // of the zone's cells, first and past last
+	std::vector<std::pair<vtkIdType, vtkIdType>> parts; // ranges of the zone's cells, first and past last
 
 	bool meets(const std::pair<vtkIdType, vtkIdType>& part) const
 	{
@@ -62,7 +62,7 @@ const FluentZone* fluentZoneOf(const FluentCase& mesh, std::int64_t id, std::int
 	}
 	if (is_there)
 		throw damaged(fmt::format("values of the cells {} to {}, which are not in their zone", first + 1, last + 1));
-	return nullptr; // of faces, or of cells that were refined
+	return nullptr; // a zone of faces, or of cells that were refined
 }
 
 // The array that has no values of these cells yet.

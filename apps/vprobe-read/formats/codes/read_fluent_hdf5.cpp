@@ -195,7 +195,7 @@ std::vector<FluentField> fluentFields(const hdf5::File& file)
 	return fields;
 }
 
-// Of all cells of the mesh; NaN where the file says nothing.
+// Returns the values of all cells of the mesh; NaN if the file says nothing about a cell.
 std::vector<double> fluentValues(const std::string& path, const FluentField& field, std::int64_t cells)
 {
 	const hdf5::File file(path);

@@ -25,7 +25,7 @@ namespace vp::reader::codes
 namespace
 {
 
-// Of a layer: the files say it, if at all, in each model's own way. ParaView takes this too.
+// The thickness of a layer: the files say it, if at all, in each model's own way. ParaView takes this too.
 constexpr double kMpasThickness = 10000.0;
 
 using MpasSides = std::vector<std::pair<std::string, std::size_t>>;

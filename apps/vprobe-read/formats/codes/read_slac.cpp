@@ -25,7 +25,7 @@ namespace vp::reader::codes
 namespace
 {
 
-// What the files call a frequency is a time in seconds where it is less than any frequency that they are about.
+// A number that the files call a frequency is a time in seconds if it is less than any frequency that they are about.
 constexpr double kMinFrequency = 100.0;
 
 // The only file of modes beside the mesh; empty where there are several or none.

@@ -23,8 +23,8 @@ constexpr const char* kVelodyneRoot = "/AMR";
 
 struct VelodyneLayout
 {
-	std::array<std::size_t, 3> cells; // of a leaf
-	std::array<double, 3> spacing;    // of level 1
+	std::array<std::size_t, 3> cells; // in a leaf
+	std::array<double, 3> spacing;    // the spacing of level 1
 };
 
 VelodyneLayout velodyneLayout(const hdf5::File& file)

@@ -37,7 +37,7 @@ struct EnSightCase
 	struct TimeSet
 	{
 		std::vector<double> times;         // in the order of the file
-		std::vector<std::int64_t> numbers; // of the files, one for each time
+		std::vector<std::int64_t> numbers; // numbers of files, one for each time
 	};
 	struct Constant
 	{

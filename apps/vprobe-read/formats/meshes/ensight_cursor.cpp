@@ -20,8 +20,8 @@ namespace vp::reader::meshes
 namespace
 {
 
-constexpr std::size_t kLineBytes = 80; // of a line in a binary file
-constexpr std::size_t kMaxShown = 20;  // of a word that is wrong
+constexpr std::size_t kLineBytes = 80; // the length of a line in a binary file
+constexpr std::size_t kMaxShown = 20;  // letters of a word that is wrong
 constexpr std::string_view kBegin = "BEGIN TIME STEP";
 constexpr std::string_view kEnd = "END TIME STEP";
 

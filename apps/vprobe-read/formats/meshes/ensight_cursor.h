@@ -28,7 +28,7 @@ public:
 
 	Form form() const { return form_; }
 	const std::string& name() const { return name_; }
-	// What a step holds. A file without marks of steps holds one; `is_step` is false then.
+	// Returns the bytes of a step. A file without marks of steps holds one; `is_step` is false then.
 	std::string_view step(std::size_t number, bool& is_step) const;
 
 private:

@@ -207,7 +207,7 @@ private:
 	{
 		if (const std::string first = wordsOf(line)[0]; first == "node_ids" || first == "element_ids")
 		{
-			// Of a block; they are not shown.
+			// The ids of a block are not shown.
 			at_.skip(first == "node_ids" ? part.points() : part.cells());
 			return;
 		}

@@ -17,7 +17,7 @@ struct EnSightElements
 	std::string type; // without the g_ of ghosts
 	bool is_ghost = false;
 	std::int64_t count = 0;
-	std::vector<std::int64_t> nodes;      // of all elements, one after the other
+	std::vector<std::int64_t> nodes;      // the nodes of all elements, one after the other
 	std::vector<std::int64_t> sizes;      // nsided: nodes of each; nfaced: faces of each
 	std::vector<std::int64_t> face_sizes; // nfaced: nodes of each face
 };
@@ -38,8 +38,8 @@ struct EnSightPart
 	std::vector<EnSightElements> elements;
 	std::array<std::int64_t, 3> along = {0, 0, 0}; // points of a block along its axes
 	std::array<std::vector<double>, 3> axes;       // rectilinear: places; uniform: origin and distance
-	std::vector<std::int64_t> blanks;              // of a block's points; 0 hides one
-	std::vector<std::int64_t> ghosts;              // of a block's cells; 1 is a ghost
+	std::vector<std::int64_t> blanks;              // a mark for each point of a block; 0 hides it
+	std::vector<std::int64_t> ghosts;              // a mark for each cell of a block; 1 is a ghost
 
 	std::int64_t points() const;
 	std::int64_t cells() const;

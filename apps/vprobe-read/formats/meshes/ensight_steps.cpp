@@ -82,7 +82,7 @@ std::size_t stepAt(const EnSightCase::TimeSet& set, const EnSightTime& time, boo
 	is_before = !std::isfinite(latest);
 	if (is_before)
 		return static_cast<std::size_t>(std::ranges::min_element(times) - times.begin());
-	// Of equal times the one that is asked for, or the last one.
+	// Among equal times, takes the one that is asked for, or the last one.
 	std::size_t step = 0, seen = 0;
 	for (std::size_t i = 0; i < times.size(); ++i)
 		if (times[i] == latest && (seen == 0 || latest < time.time || seen <= time.occurrence))

@@ -41,7 +41,7 @@ constexpr GmshElement kElements[] = {
     {13, 13, VTK_QUADRATIC_PYRAMID, kPyramid13},
 };
 
-// Of higher order: only their number of nodes, to get past them.
+// An element of higher order: only its number of nodes is known, to get past it.
 struct GmshHigher
 {
 	std::int64_t type;

@@ -11,14 +11,14 @@ namespace vp::reader::meshes
 struct GmshElement
 {
 	int nodes = 0;   // in the file; 0 for a type that is not known
-	int corners = 0; // of VTK's cell
+	int corners = 0; // in VTK's cell
 	std::uint8_t type = 0;
 	std::span<const std::uint8_t> order{};
 };
 
 GmshElement gmshElement(std::int64_t type);
 
-// What a type is called, such as "hexahedra of order 3"; empty for those that are read and for unknown ones.
+// Returns a type's name, such as "hexahedra of order 3"; empty for types that are read and for unknown ones.
 std::string_view gmshNameOf(std::int64_t type);
 
 } // namespace vp::reader::meshes

@@ -11,7 +11,7 @@
 namespace vp::reader::meshes
 {
 
-// What version 4 says of the entities that elements belong to.
+// Holds the facts that version 4 gives about the entities that elements belong to.
 struct GmshEntities
 {
 	using Tag = GmshSection::Tag;

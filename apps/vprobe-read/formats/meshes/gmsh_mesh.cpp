@@ -5,6 +5,7 @@
 #include "gmsh_entities.h"
 #include "gmsh_twice.h"
 #include "read/cell_types.h"
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/text/text_cursor.h"
 

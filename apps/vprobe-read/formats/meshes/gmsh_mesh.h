@@ -39,7 +39,7 @@ struct GmshMesh
 	std::vector<std::int32_t> entity;
 	std::vector<std::int32_t> partition; // the one that owns the element; empty if there are none
 	std::vector<std::uint8_t> ghost;     // 1 if another partition owns the element; empty if there are none
-	std::map<std::int64_t, std::vector<std::int32_t>> more_groups;   // of elements with several groups, the others
+	std::map<std::int64_t, std::vector<std::int32_t>> more_groups;   // the others, if an element has several groups
 	std::vector<std::pair<std::int64_t, std::int64_t>> other_tags;   // further tags of elements
 	std::map<std::pair<int, std::int32_t>, std::string> group_names; // by dimension and number
 	std::map<int, std::size_t> unknown_types;                        // Gmsh's, and how many elements have them

@@ -110,7 +110,7 @@ void joinGmshTwins(GmshMesh& mesh)
 	bool has_twins = false;
 	for (std::size_t begin = 0; begin < all.size();)
 	{
-		std::vector<Index> first; // of those that differ
+		std::vector<Index> first; // elements that differ from each other
 		std::size_t end = begin;
 		for (; end < all.size() && all[end].first == all[begin].first; ++end)
 		{

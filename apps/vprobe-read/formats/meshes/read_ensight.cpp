@@ -1,5 +1,5 @@
-// EnSight 6 and Gold by parsers of our own: VTK's readers hang over several steps in a file, take variables for those
-// of other times, and go on where a file ends.
+// EnSight 6 and Gold by parsers of our own: VTK's readers hang over several steps in a file, take the variables of
+// other times, and go on where a file ends.
 #include "ensight_case.h"
 #include "ensight_geometry.h"
 #include "ensight_grids.h"
@@ -94,7 +94,7 @@ private:
 		return (folder / (std::filesystem::exists(folder / name, none) ? name : turned)).string();
 	}
 
-	// What a step holds. Files that hold one step alone are the same at all times.
+	// Returns the bytes of a step. Files that hold one step alone are the same at all times.
 	std::string_view bytesOf(const EnSightFile& file, const EnSightPlace& place, bool has_times) const
 	{
 		bool is_step = false;
@@ -148,7 +148,7 @@ private:
 
 	bool isBinary() const { return form_ != EnSightFile::Form::text; }
 
-	// Of a complex variable both parts are told apart; so are variables of one name.
+	// Tells apart the two parts of a complex variable, and variables of one name.
 	std::string freeName(const EnSightCase::Variable& variable, std::size_t part)
 	{
 		std::string name = variable.name;

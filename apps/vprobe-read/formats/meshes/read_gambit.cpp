@@ -204,7 +204,7 @@ std::size_t readGambitGroup(text::Cursor& at, const GambitIds& elements, std::ve
 	return repeated;
 }
 
-// What follows are boundary conditions alone: sections that are not announced would be missing without a word.
+// Only boundary conditions may follow: sections that are not announced would be missing without a word.
 void refuseMoreGroups(text::Cursor& at)
 {
 	while (!at.atEnd())

@@ -165,7 +165,7 @@ vtkSmartPointer<vtkDoubleArray> valuesOf(const GmshData& data, std::size_t tuple
 	{
 		const auto at = indexOf(data.tags[i]);
 		if (at < 0)
-			continue; // of an element that is not read, or of a node that no element has
+			continue; // it belongs to an element that is not read, or to a node that no element has
 		std::copy_n(data.values.begin() + static_cast<std::ptrdiff_t>(i * components), components,
 		            values.begin() + at * data.components);
 	}

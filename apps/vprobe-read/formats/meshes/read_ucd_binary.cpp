@@ -1,6 +1,7 @@
 // AVS UCD in binary, by a parser of our own: VTK's overwrites its memory for arrays of more than three components, and
 // reads past its lists where the cells say more corners than they have.
 #include "ucd_cells.h"
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/mapped_text.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/formats/formats.h"

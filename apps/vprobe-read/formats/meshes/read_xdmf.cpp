@@ -71,7 +71,7 @@ private:
 		return typeOf(grid, "GridType") == "collection" && small(grid.attribute("CollectionType")) == "temporal";
 	}
 
-	// Of the grids of a temporal collection, one by one.
+	// Returns the time of each grid of a temporal collection.
 	std::vector<double> timesOf(const text::XmlElement& collection) const
 	{
 		const std::vector<const text::XmlElement*> grids = document_.children(collection, "Grid");

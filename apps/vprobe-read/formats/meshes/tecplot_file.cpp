@@ -129,7 +129,7 @@ private:
 		}
 	}
 
-	// Of several that have one name, each has a number from the second on.
+	// If several variables have one name, each has a number from the second on.
 	void addVariable(const std::string& name)
 	{
 		const std::size_t number = ++names_[name];

@@ -24,15 +24,15 @@ struct TecplotFaces
 struct TecplotZone
 {
 	std::string title;
-	std::array<std::uint32_t, 3> points{1, 1, 1}; // of an ordered zone
+	std::array<std::uint32_t, 3> points{1, 1, 1}; // the sides of an ordered zone
 	std::string element_type;                     // empty for an ordered zone; "BRICK", "TETRAHEDRON" ...
 	std::size_t nodes = 0;
 	std::size_t elements = 0;
 	std::optional<double> time;                                     // none if it is shown at all times
 	std::set<std::size_t> cell_variables;                           // by number, from 0
 	std::vector<std::shared_ptr<const std::vector<double>>> values; // by variable; null where it is passive
-	std::shared_ptr<const std::vector<std::int64_t>> corners;       // of all elements, from 0
-	std::shared_ptr<const TecplotFaces> faces;                      // of polyhedra
+	std::shared_ptr<const std::vector<std::int64_t>> corners;       // the corners of all elements, from 0
+	std::shared_ptr<const TecplotFaces> faces;                      // the faces of polyhedra
 };
 
 struct TecplotFile

@@ -180,7 +180,7 @@ private:
 		else if (at_.isString())
 			at_.text();
 		else
-			at_.list(); // of no use here: types of numbers, colors, parents, auxiliary data
+			at_.list(); // not used here: types of numbers, colors, parents, auxiliary data
 	}
 
 	void readType(std::string type)

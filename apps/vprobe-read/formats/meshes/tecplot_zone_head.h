@@ -21,7 +21,7 @@ struct TecplotZoneHead
 	std::map<std::size_t, std::size_t> shared; // variable to zone
 	std::optional<std::size_t> shared_corners; // zone
 	bool has_neighbors = false;                // lists of neighbors follow its elements
-	// Of polygons and polyhedra.
+	// The sizes of the lists of polygons and polyhedra.
 	std::size_t faces = 0;
 	std::optional<std::size_t> face_corners;
 	bool has_outer_neighbors = false; // elements of other zones behind its faces
@@ -30,7 +30,7 @@ struct TecplotZoneHead
 // Whether a word begins a record of a file.
 bool isTecplotRecord(std::string_view word);
 
-// What stands behind the word ZONE, up to the values. `file` has the zones before it.
+// Reads the text behind the word ZONE, up to the values. `file` has the zones before it.
 TecplotZoneHead readTecplotZoneHead(TecplotLexer& at, const TecplotFile& file);
 
 } // namespace vp::reader::meshes

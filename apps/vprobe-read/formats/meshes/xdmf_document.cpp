@@ -81,7 +81,7 @@ arrays::ValueLayout flat(std::uint64_t count, NumberType type)
 	return layout;
 }
 
-// Of an HDF5 data set, in the type that the XML gives.
+// Returns the values of an HDF5 data set, in the type that the XML gives.
 std::string hdf5Bytes(const std::string& file, const std::string& path, std::uint64_t count, NumberType type)
 {
 	const std::string about = fmt::format("{}:{}", fs::path(file).filename().string(), path);
@@ -144,7 +144,7 @@ std::string_view XdmfDocument::contents(const text::XmlElement& element) const
 	const std::string_view given = text_.substr(element.content_begin, element.content_end - element.content_begin);
 	if (given.find('&') == given.npos)
 		return trimmed(given);
-	// Of long ones, the parser keeps the text only in a file with a document type.
+	// The parser keeps a long text only in a file with a document type.
 	if (given.size() > text::kMaxShortText && element.text.empty())
 		throw Refusal("a DataItem with an entity in more than 4096 letters");
 	return trimmed(element.text);

@@ -20,7 +20,7 @@ namespace vp::reader::meshes
 // The values of a DataItem, and its sides, the slowest first.
 struct XdmfValues
 {
-	vtkSmartPointer<vtkDataArray> array; // of one component
+	vtkSmartPointer<vtkDataArray> array; // has one component
 	std::vector<std::uint64_t> sides;
 
 	std::uint64_t count() const;

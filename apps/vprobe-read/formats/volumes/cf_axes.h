@@ -5,7 +5,7 @@
 namespace vp::reader::volumes
 {
 
-// What runs along a dimension, after the CF conventions, section 4.
+// The quantity that runs along a dimension, after the CF conventions, section 4.
 enum class CfRole
 {
 	none,

@@ -16,7 +16,7 @@ struct CfGrid
 {
 	vtkSmartPointer<vtkDataSet> data;
 	bool has_cell_values = false; // the values are of cells, whose corners the file gives
-	std::string length_units;     // of all axes, where they have one
+	std::string length_units;     // the unit of all axes, if they have one
 	std::vector<std::string> notes;
 };
 

@@ -54,7 +54,7 @@ std::vector<std::string> wordsIn(const std::string& text)
 	return words;
 }
 
-// What says where the cells of others lie is no array.
+// A variable that says where the cells of others lie is no array.
 std::set<std::string> boundsOfOthers(const hdf5::NetcdfFile& file)
 {
 	std::set<std::string> names;

@@ -16,7 +16,7 @@ class DicomItem;
 struct DicomPixelForm
 {
 	unsigned allocated = 0; // bits of each value
-	unsigned stored = 0;    // of these, bits that belong to the value; others may hold overlays
+	unsigned stored = 0;    // those bits that belong to the value; others may hold overlays
 	unsigned high_bit = 0;  // the highest of them
 	unsigned samples = 1;   // 3 for colors
 	bool is_signed = false;
@@ -25,7 +25,7 @@ struct DicomPixelForm
 	std::uint32_t columns = 0;
 	std::uint32_t rows = 0;
 	std::uint32_t frames = 1;
-	// What stored values stand for, from that of `table_first` on (ModalityLUTSequence); mostly null.
+	// The meanings of stored values, from that of `table_first` on (ModalityLUTSequence); mostly null.
 	std::shared_ptr<const std::vector<double>> table;
 	double table_first = 0.0;
 	// Stored values that stand for no part of the picture (PixelPaddingValue); none where the second is less.

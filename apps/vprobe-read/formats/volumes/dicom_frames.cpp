@@ -91,7 +91,7 @@ std::optional<std::pair<double, double>> windowOf(const DicomItem& root)
 	return std::nullopt;
 }
 
-// What stands at the top of a file, for all of its frames.
+// Returns the facts at the top of a file, which hold for all of its frames.
 DicomFrame frameOf(const std::string& file, const DicomItem& root)
 {
 	DicomFrame frame;
@@ -99,7 +99,7 @@ DicomFrame frameOf(const std::string& file, const DicomItem& root)
 	frame.form = pixelFormOf(root);
 	frame.number = root.hint(Tag(0x0020, 0x0013)).value_or(0.0);
 	setRescale(root, frame);
-	if (const auto scaling = root.number(Tag(0x3004, 0x000e))) // of RT dose
+	if (const auto scaling = root.number(Tag(0x3004, 0x000e))) // files of RT dose have it
 		frame.slope = *scaling;
 	return frame;
 }
@@ -165,7 +165,7 @@ void addSingle(DicomFrame frame, const DicomItem& root, DicomFrames& all)
 void addByOffsets(DicomFrame top, const DicomItem& root, std::size_t count, DicomFrames& all)
 {
 	setSpacingOf(root, top, all);
-	const auto detector = root.item(Tag(0x0054, 0x0022)); // of nuclear medicine
+	const auto detector = root.item(Tag(0x0054, 0x0022)); // files of nuclear medicine have it
 	for (const DicomItem* item : {detector ? &*detector : nullptr, &root})
 	{
 		if (!item)

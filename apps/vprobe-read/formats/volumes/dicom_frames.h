@@ -14,7 +14,7 @@ namespace vp::reader::volumes
 
 class DicomItem;
 
-// What tells frames apart that lie in the same place: a time, an echo time, a direction of diffusion, ...
+// Tells frames apart that lie in the same place: by a time, an echo time, a direction of diffusion, ...
 struct DicomKey
 {
 	std::string name;    // as it stands in a line to the user

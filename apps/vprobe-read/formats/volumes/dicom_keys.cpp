@@ -1,4 +1,4 @@
-// What tells frames of DICOM in one place apart.
+// Finds the keys that tell frames of DICOM in one place apart.
 #include "dicom_keys.h"
 
 #include <fmt/format.h>

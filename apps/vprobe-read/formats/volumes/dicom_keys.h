@@ -33,7 +33,7 @@ struct DicomDimension
 };
 std::vector<DicomDimension> dimensionsOf(const DicomItem& root);
 
-// What tells a frame apart from others in its place, and its stack, from its functional groups.
+// Adds the keys that tell a frame and its stack apart from others in its place, from its functional groups.
 void addKeys(const std::vector<DicomDimension>& dimensions, const FrameGroups& groups, DicomFrame& frame);
 // The same from the top of a file of one picture.
 void addKeys(const DicomItem& root, DicomFrame& frame);

@@ -67,7 +67,7 @@ struct NuclearVector
 	std::uint32_t tag;
 	const char* name;
 	bool is_time;
-	bool is_view; // of a camera that turns round the patient
+	bool is_view; // a view of a camera that turns round the patient
 };
 constexpr std::array<NuclearVector, 8> kNuclearVectors = {{
     {0x00540010, "energy window", false, false},

@@ -122,7 +122,7 @@ DicomPixels::DicomPixels(const std::string& file) : name_(std::filesystem::path(
 		findFragments();
 		return;
 	}
-	const std::size_t bits = form_.valuesOfFrame() * form_.allocated; // of each of at most 2^32 frames
+	const std::size_t bits = form_.valuesOfFrame() * form_.allocated; // in each of at most 2^32 frames
 	if (bits / 8 > plain_.size() || (bits * form_.frames + 7) / 8 > plain_.size())
 		throw damaged(fmt::format("{} has {} bytes of pixels where {} are wanted", name_, plain_.size(),
 		                          (bits * form_.frames + 7) / 8));
@@ -206,7 +206,8 @@ std::string DicomPixels::packedBytes(std::size_t index) const
 	return all;
 }
 
-// What GDCM makes up without a word where it is missing. Without the mark of the end it may search in JPEG forever.
+// Returns false if a part is missing, which GDCM makes up without a word. Without the mark of the end it may search in
+// JPEG forever.
 bool DicomPixels::isWhole(std::size_t index) const
 {
 	constexpr std::size_t kMaxBehind = 64; // bytes that some writers add

@@ -44,7 +44,7 @@ private:
 	std::string name_;
 	gdcm::Reader reader_;
 	DicomPixelForm form_;
-	std::string_view plain_;                                    // of all frames, where they are not packed
+	std::string_view plain_;                                    // the bytes of all frames, if they are not packed
 	std::string swapped_;                                       // what it shows, where GDCM has not turned it round
 	const gdcm::SequenceOfFragments* packed_ = nullptr;         // otherwise
 	std::vector<std::pair<std::size_t, std::size_t>> of_frame_; // the fragments of each frame, first and past last

@@ -23,7 +23,7 @@ namespace
 
 using Vector = std::array<double, 3>;
 
-constexpr double kUneven = 0.01; // of the distance between two slices
+constexpr double kUneven = 0.01; // a part of the distance between two slices
 
 // From the first frame to the last one, which need not be as far apart as they are thick, nor lie straight behind each
 // other.

@@ -18,7 +18,7 @@ namespace vp::reader::volumes
 namespace
 {
 
-// What is asked for stands far in front.
+// All that is asked for stands far in front.
 constexpr std::size_t kHeadBytes = 256 << 10;
 
 // Empty without the mark. GDCM reads old files without it as well, but takes many others for them.

@@ -21,7 +21,7 @@ namespace
 using Frames = std::vector<DicomFrame>;
 
 constexpr double kSamePlace = 1e-4;     // mm
-constexpr double kSameDirection = 1e-3; // of a unit vector; files write few digits
+constexpr double kSameDirection = 1e-3; // a tolerance for unit vectors; files write few digits
 
 std::string fileName(const DicomFrame& frame)
 {
@@ -102,7 +102,7 @@ std::vector<std::size_t> placesOf(Frames& frames)
 // Which step each frame belongs to, and the keys that told them apart.
 struct Grouping
 {
-	std::vector<std::size_t> group;   // of each frame
+	std::vector<std::size_t> group;   // the group of each frame
 	std::vector<std::size_t> key_ids; // in the order in which they were used
 	std::size_t count = 1;
 };
@@ -150,7 +150,7 @@ void split(const Frames& frames, const std::vector<std::size_t>& places, std::si
 	grouping.key_ids.push_back(key);
 }
 
-// What no key tells apart is taken in the order of the numbers in each place.
+// Frames that no key tells apart are taken in the order of the numbers in each place.
 bool splitByNumber(const std::vector<std::size_t>& places, Grouping& grouping)
 {
 	std::map<std::pair<std::size_t, std::size_t>, std::size_t> seen; // in each place, of each group

@@ -12,7 +12,7 @@ namespace vp::reader::volumes
 struct DicomSteps
 {
 	std::vector<std::vector<DicomFrame>> steps; // frames by depth
-	std::vector<double> times;                  // of each step, in s or numbered from 0; empty for a single step
+	std::vector<double> times; // the time of each step, in s or numbered from 0; empty for a single step
 	bool are_seconds = false;
 };
 

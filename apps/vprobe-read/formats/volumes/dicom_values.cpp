@@ -73,7 +73,7 @@ void DicomValueType::add(const DicomPixelForm& form, double slope, double interc
 
 NumberType DicomValueType::type() const
 {
-	constexpr double kExact = 9007199254740992.0; // of a double, in which values are rescaled
+	constexpr double kExact = 9007199254740992.0; // up to here, a double holds every integer
 	if (!is_integer_ || low_ < -kExact || high_ > kExact)
 		return is_float_ ? NumberType::float32 : NumberType::float64;
 	if (low_ >= 0.0 && !is_signed_)

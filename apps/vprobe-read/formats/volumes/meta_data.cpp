@@ -36,7 +36,7 @@ std::string unpackedMeta(std::string_view packed, std::uint64_t bytes)
 	return values;
 }
 
-// What one file holds: all of its bytes from where its data begin.
+// Returns the data of one file: all of its bytes from where the data begin.
 std::string_view dataOf(const MetaHeader& header, std::string_view file, const std::string& whose, std::uint64_t bytes)
 {
 	std::uint64_t begin = header.data_files.empty() ? header.header_bytes : 0;
@@ -113,7 +113,7 @@ std::string metaBytes(const std::string& file, const MetaHeader& header, std::ui
 		const std::uint64_t begin = i * file_bytes;
 		const std::string name = dataFile(file, header, i);
 		if (begin + file_bytes <= first || begin >= last)
-			continue; // of another time
+			continue; // it holds another time
 		const MappedText mapped(name.empty() ? file : name);
 		const std::string_view data = dataOf(header, mapped.text(), name, file_bytes);
 		if (header.is_text)

@@ -168,7 +168,7 @@ void setDirection(MetaHeader& header, std::string_view key, std::string_view val
 	if (rows.size() == 4)
 		header.direction = {rows[0], rows[2], 0.0, rows[1], rows[3], 0.0, 0.0, 0.0, 1.0};
 	if (axes == 0)
-		return; // of a picture
+		return; // it belongs to a picture
 	for (std::size_t axis = 0; axis < 3; ++axis)
 		for (std::size_t component = 0; component < 3; ++component)
 			header.direction[component * 3 + axis] = rows[axis * axes + component];

@@ -9,13 +9,13 @@
 namespace vp::reader::volumes
 {
 
-// What a MetaImage header says, as MetaIO (the library of ITK and VTK) takes it.
+// Holds the facts in a MetaImage header, as MetaIO (the library of ITK and VTK) takes them.
 struct MetaHeader
 {
 	std::vector<std::uint64_t> size; // points along each axis; a fourth one is time
 	bool is_picture = false;         // two dimensions; `size` has 1 for the third
-	std::string type;                // of one value, without "_ARRAY"
-	std::uint64_t value_bytes = 0;   // of one value; 0 for a type not known
+	std::string type;                // the type of one value, without "_ARRAY"
+	std::uint64_t value_bytes = 0;   // the size of one value; 0 for a type not known
 	std::uint64_t channels = 1;      // values of a point
 	bool is_text = false;            // numbers in text
 	bool compressed = false;         // by zlib or gzip
@@ -24,15 +24,15 @@ struct MetaHeader
 	std::int64_t skipped_bytes = 0; // before the data in their file; -1: the data end with the file
 	std::array<double, 9> direction = {1, 0, 0, 0, 1, 0, 0, 0, 1}; // rows; column i is the direction of axis i
 	std::vector<double> spacing;         // along each axis; may be negative; empty where the header gives none
-	std::vector<double> offset;          // of the first point; likewise
-	std::string units;                   // of lengths; mostly empty
+	std::vector<double> offset;          // the place of the first point; likewise
+	std::string units;                   // the unit of lengths; mostly empty
 	std::string orientation;             // three letters, the sides from which the axes run; mostly empty
 	bool has_scale = false;              // a slope or offset that ITK does not apply
 	std::vector<std::string> data_files; // one after the other; empty: the data follow the header
 	std::uint64_t header_bytes = 0;
 
 	std::uint64_t times() const { return size.size() > 3 ? size[3] : 1; }
-	// Of one time. Throws a Refusal where it is more than can be.
+	// Returns the size of one time. Throws a Refusal if it is more than can be.
 	std::uint64_t volumeBytes() const;
 };
 

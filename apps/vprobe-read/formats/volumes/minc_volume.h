@@ -14,7 +14,7 @@ struct MincAxis
 	std::size_t count = 0;
 	double start = 0.0;
 	double step = 1.0;
-	std::array<double, 3> direction{}; // of the axis in space
+	std::array<double, 3> direction{}; // the direction of the axis in space
 	std::string units;
 };
 
@@ -25,7 +25,7 @@ struct MincVolume
 	std::vector<double> values;
 	bool is_float = false; // such values need no scale
 	std::array<double, 2> valid{0.0, 0.0};
-	// What the least and the greatest valid value mean: of the whole, or of each of the first axes' slices.
+	// The meanings of the least and the greatest valid value: for the whole, or for each of the first axes' slices.
 	std::vector<double> least{0.0};
 	std::vector<double> greatest{1.0};
 };

@@ -10,7 +10,7 @@
 namespace vp::reader::volumes
 {
 
-// What the header of an MRC or CCP4 map says (MRC2014, and IMOD's additions to it). The bytes must outlive it.
+// Reads the header of an MRC or CCP4 map (MRC2014, and IMOD's additions to it). The bytes must outlive it.
 class MrcHeader
 {
 public:

@@ -1,5 +1,6 @@
 #include "npy_header.h"
 
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/refusal.h"
 
 #include <fmt/format.h>
@@ -20,7 +21,7 @@ constexpr std::string_view kMagic = "\x93NUMPY";
 constexpr std::uint32_t kMaxComponents = 64;
 constexpr std::uint32_t kMaxSide = 1u << 30;
 
-// What stands behind 'key': in the header's dictionary, to its end.
+// Returns the text behind 'key': in the header's dictionary, to its end.
 std::string_view valueOf(std::string_view header, std::string_view key)
 {
 	const auto at = header.find(fmt::format("'{}'", key));

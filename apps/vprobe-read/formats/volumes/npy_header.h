@@ -16,7 +16,7 @@ struct NpyArray
 	std::string_view values;
 };
 
-// Of an array whose values are no plain numbers.
+// Thrown for an array whose values are no plain numbers.
 class UnreadNpyType : public Refusal
 {
 public:

@@ -111,7 +111,7 @@ void takeDirections(const Nrrd& nrrd, const NrrdAxes& axes, NrrdPlace& place)
 	std::array<std::string, 3> units;
 	for (std::size_t row = 0; row < 3; ++row)
 		units[row] = nrrd.spaceUnits[row] ? nrrd.spaceUnits[row] : "";
-	const text::OneLengthUnit one = text::oneLengthUnit(units); // of space, not of the axes
+	const text::OneLengthUnit one = text::oneLengthUnit(units); // the unit of space, not that of the axes
 	for (std::size_t a = 0; a < 3; ++a)
 	{
 		std::array<double, 3> step;

@@ -10,7 +10,7 @@
 namespace vp::reader::volumes
 {
 
-// What the axes of a NRRD file stand for. Axes of space have a direction, or a kind that says so, or no kind at all;
+// The meanings of a NRRD file's axes. Axes of space have a direction, or a kind that says so, or no kind at all;
 // one of kind time is time; others are components of the values.
 struct NrrdAxes
 {
@@ -34,7 +34,7 @@ struct NrrdPlace
 };
 NrrdPlace nrrdPlace(const Nrrd& nrrd, const NrrdAxes& axes);
 
-// Of the samples along the axis of time; empty if there is none.
+// Returns the times of the samples along the axis of time, or none if there is no such axis.
 std::vector<double> nrrdTimes(const Nrrd& nrrd, const NrrdAxes& axes);
 std::string nrrdTimeUnits(const Nrrd& nrrd, const NrrdAxes& axes);
 

@@ -39,7 +39,7 @@ struct NrrdDeleter
 };
 using NrrdPointer = std::unique_ptr<Nrrd, NrrdDeleter>;
 
-// Of teem's several lines, the last one is the cause.
+// Returns the last of teem's lines, which is the cause.
 std::string biffReason()
 {
 	char* text = biffGetDone(NRRD);

@@ -10,7 +10,7 @@
 namespace vp::reader::volumes
 {
 
-// What the header of a trace says.
+// Holds the facts in the header of a trace.
 struct SegyTrace
 {
 	int in_line;
@@ -30,7 +30,7 @@ public:
 	std::size_t traceCount() const { return traces_; }
 	std::size_t sampleCount() const { return samples_; }
 	double interval() const { return interval_; } // ms
-	// What is doubtful of the headers, for the user; mostly empty.
+	// Tells the user which facts in the headers are doubtful; mostly empty.
 	const std::string& note() const { return note_; }
 	SegyTrace trace(std::size_t index) const;
 	double sample(std::size_t trace, std::size_t index) const;

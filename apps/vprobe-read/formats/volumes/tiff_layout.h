@@ -35,7 +35,7 @@ struct TiffLayout
 	std::string length_units;
 	std::vector<double> time_values; // one for each time; empty where there is one time
 	std::string time_units;
-	double slope = 1.0; // of the values, by which they are rescaled
+	double slope = 1.0; // the values are rescaled by it
 	double intercept = 0.0;
 	std::string value_units;
 	std::vector<std::string> notes; // for the user
@@ -45,13 +45,13 @@ struct TiffLayout
 	std::uint64_t planeOf(std::uint32_t channel, std::uint32_t slice, std::uint32_t time) const;
 };
 
-// What a file says of its pages.
+// Holds the facts that a file gives about its pages.
 struct TiffFacts
 {
 	std::string file; // its name, without folders
 	std::string description;
 	std::uint64_t pages = 0;                    // like the first one
-	std::uint32_t samples = 1;                  // of a pixel; OME counts them as channels
+	std::uint32_t samples = 1;                  // per pixel; OME counts them as channels
 	std::array<double, 2> resolution{0.0, 0.0}; // pixels in a unit of length along x and y; 0: not said
 	std::string resolution_unit;
 };

@@ -34,7 +34,7 @@ void keepTiffError(const char*, const char* format, va_list arguments)
 		first_tiff_error = text.data();
 }
 
-// Of headers they tell of unknown tags. Of values they tell of some that are made up.
+// Warnings at a header are about unknown tags. Warnings at values are about values that are made up.
 void keepTiffWarning(const char* module, const char* format, va_list arguments)
 {
 	if (reads_values)

@@ -17,14 +17,14 @@ struct TiffPageKind
 {
 	std::uint32_t width = 0;
 	std::uint32_t height = 0;
-	std::uint16_t samples = 1; // of a pixel
-	std::uint16_t bits = 1;    // of a sample
+	std::uint16_t samples = 1; // per pixel
+	std::uint16_t bits = 1;    // per sample
 	std::uint16_t format = 1;  // libtiff's SAMPLEFORMAT_...
 
 	bool operator==(const TiffPageKind&) const = default;
 	// Throws a Refusal for types that are not read. Single bits become bytes.
 	grid::NumberType type() const;
-	std::uint64_t bytes() const; // of a page that was read
+	std::uint64_t bytes() const; // in a page that was read
 };
 
 // The pages of a TIFF file, through libtiff. Whatever libtiff complains about while it reads values is an error.
@@ -38,7 +38,7 @@ public:
 	std::uint64_t count() const { return pages_.size(); }
 	const TiffPageKind& kind(std::uint64_t page) const { return pages_[page].kind; }
 	bool isPreview(std::uint64_t page) const { return pages_[page].is_preview; }
-	std::string description(); // of the first page
+	std::string description(); // that of the first page
 	std::array<double, 2> resolution();
 	std::string resolutionUnit();
 

@@ -8,7 +8,7 @@
 namespace vp::reader::volumes
 {
 
-// What the weather model WRF says in its own way, and not by the CF conventions.
+// The weather model WRF says these things in its own way, and not by the CF conventions.
 
 bool isWrf(const hdf5::NetcdfFile& file);
 

@@ -17,7 +17,7 @@ struct ZarrType
 	std::size_t width = 0;
 	bool is_big_endian = false;
 
-	// Of 1, 2, 4 or 8 bytes; floats of 2 too.
+	// Reads a type of 1, 2, 4 or 8 bytes, or a float of 2 bytes.
 	static ZarrType of(const nlohmann::json& given);
 };
 
@@ -38,8 +38,8 @@ private:
 	struct Step
 	{
 		std::string id;
-		ZarrType plain, stored; // of filters that compute with numbers
-		std::size_t width = 0;  // of what is shuffled
+		ZarrType plain, stored; // for filters that compute with numbers
+		std::size_t width = 0;  // bytes of the items that are shuffled
 		double scale = 1.0, offset = 0.0;
 
 		bool addsChecksum() const { return id.starts_with("crc32"); }

@@ -212,7 +212,7 @@ private:
 		copyArray(type, tuples_ * components, wordsFor(name));
 	}
 
-	// Of a second array of ids VTK's reader would leave nothing, so it becomes an ordinary one.
+	// VTK's reader would leave nothing of a second array of ids, so it becomes an ordinary one.
 	void copyIds(const std::string& word)
 	{
 		const std::string name = ownName();
@@ -344,9 +344,9 @@ private:
 	}
 
 	bool has_offsets_ = false;
-	std::optional<bool> is_point_; // of what the arrays that follow are; none before both
+	std::optional<bool> is_point_; // whether the arrays that follow are at points; none before both
 	std::uint64_t tuples_ = 0;
-	std::set<std::string> names_[2]; // of the arrays of cells and of points
+	std::set<std::string> names_[2]; // those of the arrays at cells, and at points
 	std::set<std::string> ids_;
 	std::vector<std::string> warnings_;
 };

@@ -25,7 +25,7 @@ public:
 	// number, and for an array with too few or too many values.
 	explicit PlainXml(const Request& request);
 
-	// What to read in place of the file.
+	// Returns the request to follow in place of the one for the file.
 	const Request& request() const { return request_; }
 	// The data files themselves, or copies of them: those of the pieces, or the only one.
 	const std::vector<std::string>& dataFiles() const { return data_files_; }
@@ -35,7 +35,7 @@ public:
 	bool isEmpty() const { return is_empty_; }
 	// Whether the file may have numbers in text that were not looked at.
 	bool hasUnknownText() const { return has_unknown_text_; }
-	// What the user has to know.
+	// Returns the lines that the user has to know.
 	const std::vector<std::string>& warnings() const { return warnings_; }
 
 private:
@@ -54,7 +54,7 @@ private:
 	std::vector<std::string> data_files_;
 	std::vector<double> times_;
 	std::vector<std::string> warnings_;
-	std::map<std::string, std::string> fields_; // of the pieces of a data file
+	std::map<std::string, std::string> fields_; // the fields of the pieces of a data file
 	bool has_unknown_text_ = false;
 	bool is_empty_ = false;
 };

@@ -32,7 +32,7 @@ namespace
 
 // The head of a piece names its cells; arrays come behind it, or further pieces, which are then estimated.
 constexpr std::size_t kHeadBytes = 1 << 16;
-// What a cell with its arrays takes in a file, where the head tells nothing.
+// The bytes of a cell with its arrays in a file, if the head tells nothing.
 constexpr std::size_t kBytesOfCell = 50;
 
 using Extent = std::array<int, 6>;
@@ -142,7 +142,7 @@ bool areApart(const std::vector<Piece>& pieces)
 	return true;
 }
 
-// Of an image, with the places that its points have in the whole, to the last bit.
+// Adds a piece of an image, with the places that its points have in the whole, to the last bit.
 void addImagePiece(const Request& request, const Extent& whole, manifest::Writer& manifest)
 {
 	const auto data = loadXml(request, formats::xmlTypeOfFile(request.file), manifest);
@@ -176,7 +176,7 @@ bool readPieces(const Request& request, const std::string& type, manifest::Write
 	const char* kind = latticeKind(type);
 	if (!manifest.parts().filters() || manifest.parts().isInside() || (type != "PUnstructuredGrid" && !kind))
 		return false;
-	if (manifest.parts().lists()) // of chosen ones each is looked at as it is read
+	if (manifest.parts().lists()) // each chosen one is looked at as it is read
 		checks::refuseShortXml(request.file);
 	else
 		checks::refuseDeepXml(request.file);
@@ -199,7 +199,7 @@ bool readPieces(const Request& request, const std::string& type, manifest::Write
 	for (std::size_t i = 0; i < pieces.size(); ++i)
 	{
 		const Piece& piece = pieces[i];
-		// Of chosen parts nobody asks how large the others are.
+		// If parts are chosen, nobody asks how large the others are.
 		const std::size_t cells = piece.extent               ? cellsOf(*piece.extent)
 		                          : manifest.parts().lists() ? cellsOfXml(piece.file)
 		                                                     : 0;

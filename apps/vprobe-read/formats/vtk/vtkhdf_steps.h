@@ -41,7 +41,7 @@ struct VtkHdfParts
 	VtkHdfParts(const hdf5::File& file, const VtkHdfStep& step);
 
 	std::uint64_t first = 0;                       // part
-	std::vector<std::uint64_t> points, cells, ids; // of each part
+	std::vector<std::uint64_t> points, cells, ids; // a number for each part
 	std::uint64_t first_point = 0, first_cell = 0, first_id = 0;
 	std::uint64_t all_points = 0, all_cells = 0, all_ids = 0;
 

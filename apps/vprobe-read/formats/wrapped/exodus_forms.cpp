@@ -39,7 +39,7 @@ const FullCell kTetrahedron15{
     {1 / 64.0, 1 / 64.0, 1 / 64.0, 1 / 64.0, -0.125, -0.125, -0.125, -0.125, -0.125, -0.125, 27 / 64.0, 27 / 64.0,
      27 / 64.0, 27 / 64.0}};
 
-// What is linear between the triangles, and what is quadratic within the layer between them.
+// Blends what is linear between the triangles with what is quadratic within the layer between them.
 const FullCell kWedge21{VTK_LAGRANGE_WEDGE,
                         nodesOf(6, {{0, 1},
                                     {1, 2},
@@ -81,7 +81,7 @@ const FullCell kPyramid19{VTK_TRIQUADRATIC_PYRAMID,
                           {-3 / 64.0, -3 / 64.0, -3 / 64.0, -3 / 64.0, -0.125, 0, 0, 0, 0, 3 / 16.0, 3 / 16.0, 3 / 16.0,
                            3 / 16.0, 9 / 16.0, 0, 0, 0, 0}};
 
-// What the faces enclose, by the rule of Coons.
+// The shape that the faces enclose, by the rule of Coons.
 const FullCell kHexahedron27{VTK_TRIQUADRATIC_HEXAHEDRON,
                              nodesOf(8, {{0, 1},
                                          {1, 2},

@@ -25,7 +25,7 @@ struct ExodusForm
 	std::string_view family; // the first three letters of its name
 	const FullCell* cell;
 	std::vector<std::uint8_t> nodes; // for each node of the element, in the manual's order, the node of the cell
-	std::size_t in_place;            // of them, those before the nodes in faces and inside, about which writers differ
+	std::size_t in_place;            // those before the nodes in faces and inside, about which writers differ
 
 	// For each node of the cell, the weights of the element's nodes: their polynomials at that place.
 	std::vector<std::vector<double>> weights() const;
@@ -36,7 +36,7 @@ std::span<const ExodusForm> exodusForms();
 // Whether VTK's reader has the nodes of a type in the right order.
 bool isPlainExodus(std::string_view family, std::size_t nodes);
 
-// What to name in place of a type that is refused; nothing where the family is none of solid cells.
+// Returns the types to name in place of one that is refused, or nothing if the family is none of solid cells.
 std::optional<std::string_view> plainExodusNames(std::string_view family);
 
 } // namespace vp::reader::wrapped

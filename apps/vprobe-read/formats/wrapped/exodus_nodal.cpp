@@ -16,7 +16,7 @@ namespace vp::reader::wrapped
 namespace
 {
 
-// Of a row of names, without the zeros behind it.
+// Returns a row of names, without the zeros behind each.
 std::vector<std::string> exodusNames(const hdf5::NetcdfFile& file, const char* name)
 {
 	const int variable = file.variable(name);
@@ -79,7 +79,7 @@ void checkExodusBlocks(const hdf5::NetcdfFile& file)
 		if (block <= exist.size() && exist[block - 1] == 0.0)
 			continue;
 		const int corners = file.variable(fmt::format("connect{}", block).c_str());
-		const int faces = file.variable(fmt::format("facconn{}", block).c_str()); // of polyhedra
+		const int faces = file.variable(fmt::format("facconn{}", block).c_str()); // the faces of polyhedra
 		const int described = corners < 0 ? faces : corners;
 		const bool has_sides = file.length(fmt::format("num_el_in_blk{}", block).c_str()) > 0 &&
 		                       (faces >= 0 || file.length(fmt::format("num_nod_per_el{}", block).c_str()) > 0);

@@ -54,7 +54,7 @@ void readPlot3d(const Request& request, manifest::Writer& manifest)
 	if (layout.flat)
 		throw Refusal("nothing to slice: a PLOT3D grid of two dimensions");
 
-	MemoryFile grid_bytes, solution_bytes; // of text
+	MemoryFile grid_bytes, solution_bytes; // made from text
 	if (!layout.binary)
 		writeGridAsBytes(fortranNumbers(MappedText(request.file).text()), layout, grid_bytes);
 	vtkNew<vtkMultiBlockPLOT3DReader> reader;
