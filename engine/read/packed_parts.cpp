@@ -21,7 +21,7 @@ std::string formatOf(const std::string& reader)
 	return reader.empty() ? "vtkhdf" : reader.substr(0, reader.find(' '));
 }
 
-// Of Zarr, the file is one in the folder that is the input.
+// The input of Zarr is a folder, and the file is one in it.
 std::string inputOf(const parts::OpenFile& file, const std::string& reader)
 {
 	return formatOf(reader) == "zarr" ? std::filesystem::path(file.name()).parent_path().string() : file.name();

@@ -66,7 +66,7 @@ struct ReadOptions
 	// Curved cells are cut into linear ones over their own points. Each level halves the edges of these once more. A
 	// tolerance (isTolerance()) keeps them as they are, and cuts refine them (grid/curved_cells.h).
 	double refine = 0.0;
-	int level = 0;             // of images at several resolutions, 0 the finest; an error where a file has fewer
+	int level = 0;             // which of several resolutions of an image, 0 the finest; an error if a file has fewer
 	double displace = 0.0;     // moves the points by their displacements times this factor
 	std::string displace_by{}; // the point array of displacements; if empty, its name tells
 	bool patches = false;      // reads named parts of the boundary: OpenFOAM patches, Exodus side sets

@@ -44,7 +44,7 @@ struct InputSpec
 	std::string solution; // PLOT3D solution file, if its name does not follow from the grid's name
 	// How often the linear parts of curved cells are halved, 0 to read::kMaxRefine; or a tolerance, read::isTolerance()
 	double refine = 0.0;
-	int level = 0;                  // of files that hold an image at several resolutions; 0 is the finest
+	int level = 0;                  // which of several resolutions of an image; 0 is the finest
 	bool cell_to_point = false;     // arrays of cells become arrays of points
 	std::optional<double> displace; // factor for the displacements of points; empty: 1 if an array is named, else 0
 	std::string displace_by;        // the array of displacements; if empty, its name tells

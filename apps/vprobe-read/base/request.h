@@ -31,7 +31,7 @@ struct Request
 	std::string displace;       // "FACTOR" or "FACTOR NAME": how far points move, and by which array; mostly empty
 	bool patches = false;       // whether the parts of the boundary that the file names are wanted
 	double refine = 0.0;        // how often the linear parts of curved cells are halved, or a tolerance
-	std::size_t level = 0;      // of images at several resolutions, 0 the finest
+	std::size_t level = 0;      // which of several resolutions of an image, 0 the finest
 	int threads = 1;            // the most to use
 	std::string convert_to;     // the file that is to be written; mostly empty
 	std::string convert_folder; // a folder of the parent's, into which it is written

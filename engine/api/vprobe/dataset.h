@@ -125,7 +125,7 @@ struct OpenOptions
 	// Files may name others in their own folder. These are further folders for that, or "anywhere"; give them for data
 	// that you trust
 	std::vector<std::string> follow{};
-	int level = 0; // of images at several resolutions (OME-Zarr), 0 the finest
+	int level = 0; // which of several resolutions of an image (OME-Zarr), 0 the finest
 };
 
 /// Values of arrays at points.

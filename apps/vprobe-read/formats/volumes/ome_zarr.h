@@ -31,7 +31,7 @@ struct OmeZarr
 	std::vector<Axis> axes;
 	std::vector<Level> levels;                       // the finest first
 	std::vector<std::string> channels;               // labels; mostly fewer than there are, or none
-	std::optional<std::pair<double, double>> window; // of the first channel
+	std::optional<std::pair<double, double>> window; // shows the first channel from black to white
 	bool labels = false;                             // whether its values name things
 	std::size_t images = 0;                          // in the group
 

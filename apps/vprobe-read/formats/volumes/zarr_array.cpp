@@ -81,7 +81,7 @@ void forEachIndex(const Sides& first, const Sides& count, Use&& use)
 	}
 }
 
-// What of a box is wanted, in pieces of a size: the first of them along each side, and how many.
+// The pieces of a grid that a box meets: the first of them along each side, and how many.
 struct Pieces
 {
 	Sides first, count;
@@ -298,7 +298,7 @@ std::size_t ZarrArray::copyFile(const File& file, const Sides& starts, const Sid
 		shard.check();
 		checked_->add(key);
 	}
-	Sides first(begin.size()), count(begin.size()); // of what is wanted of the shard
+	Sides first(begin.size()), count(begin.size()); // in the shard
 	for (std::size_t i = 0; i < begin.size(); ++i)
 	{
 		first[i] = std::max(begin[i], starts[i]) - begin[i];

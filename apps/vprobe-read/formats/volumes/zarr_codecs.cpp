@@ -232,7 +232,7 @@ std::vector<std::byte> ZarrCodecs::unpack(Bytes packed, std::size_t bytes, const
 	std::vector<std::byte> at(packed.begin(), packed.end());
 	for (std::size_t i = steps_.size(); i-- > 0;)
 	{
-		// What a compressor makes is of any size, and so is that with a checksum.
+		// A compressor makes any number of bytes, and so has a checksum behind it.
 		std::vector<std::byte> before(steps_[i].addsChecksum() ? at.size() - std::min<std::size_t>(at.size(), 4)
 		                                                       : sizes[i]);
 		if (!steps_[i].undo(at, before))

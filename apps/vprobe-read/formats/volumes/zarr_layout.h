@@ -25,10 +25,10 @@ struct ZarrLayout
 	std::vector<std::size_t> file;              // the sides of what is in one file: of a chunk, or of a shard of them
 	std::vector<std::size_t> order;             // the sides from slowest to fastest, as the values lie in a chunk
 	ZarrType type;                              // kind 0: no numbers, or numbers that are not read
-	std::optional<std::vector<std::byte>> fill; // of missing chunks, in the order of bytes of the file
+	std::optional<std::vector<std::byte>> fill; // the value of missing chunks, in the order of bytes of the file
 	nlohmann::json codecs = nlohmann::json::array(); // in numcodecs' words, in the order in which they were done
 	bool is_sharded = false;
-	bool index_is_first = false;     // of a shard; else it is last
+	bool index_is_first = false;     // the index of a shard stands before its chunks, else behind them
 	bool index_has_checksum = false; // CRC-32C behind it
 	std::string key_front;           // "c" if names of files begin with it
 	std::string separators;          // that may stand between indices in names of files: '.', '/' or both
