@@ -308,18 +308,18 @@ TEST(Files, OfOtherProgramsNameTheRemedy)
 	says("case/a.foam", "", "run reconstructPar");
 }
 
-TEST(Folders, OfZarrThatAreNotReadNameTheRemedy)
+TEST(Folders, OfZarrThatCannotBeFollowedAreTold)
 {
 	const TemporaryFolder folder;
 	for (const std::string name : {"three", "image", "array"})
 		std::filesystem::create_directories(folder / name);
-	writeContents(folder / "three/zarr.json", "{\"zarr_format\": 3}");
+	writeContents(folder / "three/zarr.json", "{\"zarr_format\": 3, \"node_type\": \"array\"}");
 	writeContents(folder / "image/.zgroup", "{\"zarr_format\": 2}");
-	writeContents(folder / "image/.zattrs", "{\"multiscales\": []}");
+	writeContents(folder / "image/.zattrs", "{\"multiscales\": [{}]}");
 	writeContents(folder / "array/.zarray", "{\"zarr_format\": 2}");
-	EXPECT_NE(refusal(folder / "three").find("write it as version 2"), std::string::npos);
-	EXPECT_NE(refusal(folder / "image").find("OME-TIFF"), std::string::npos);
-	EXPECT_NE(refusal(folder / "array").find(".zarray of array"), std::string::npos);
+	EXPECT_NE(refusal(folder / "three").find("the JSON of three"), std::string::npos);
+	EXPECT_NE(refusal(folder / "image").find("no levels"), std::string::npos);
+	EXPECT_NE(refusal(folder / "array").find("the JSON of array"), std::string::npos);
 }
 
 TEST(Xml, PiecesThatAreMissingAreNamed)

@@ -310,6 +310,28 @@ void writeZarr(const std::string& path)
 	writeContents(path + "/f/1.0.0", halves[1]);
 }
 
+// Version 3 of Zarr, 0.5 of OME-Zarr: two chunks in a shard.
+void writeOmeZarr(const std::string& path)
+{
+	const auto axis = [](char name) { return fmt::format(R"({{"name": "{}", "type": "space"}})", name); };
+	writeContents(path + "/zarr.json",
+	              fmt::format(R"({{"zarr_format": 3, "node_type": "group", "attributes": {{"ome": {{"version": "0.5",
+"multiscales": [{{"axes": [{}, {}, {}], "datasets": [{{"path": "0", "coordinateTransformations":
+[{{"type": "scale", "scale": [1, 1, 1]}}]}}]}}], "omero": {{"channels": [{{"label": "f"}}]}}}}}}}})",
+	                          axis('z'), axis('y'), axis('x')));
+	writeContents(path + "/0/zarr.json", R"({"zarr_format": 3, "node_type": "array", "shape": [6, 4, 5],
+"data_type": "float64", "chunk_grid": {"name": "regular", "configuration": {"chunk_shape": [6, 4, 5]}},
+"chunk_key_encoding": {"name": "default"}, "fill_value": 0, "codecs": [{"name": "sharding_indexed", "configuration":
+{"chunk_shape": [3, 4, 5], "codecs": [{"name": "bytes", "configuration": {"endian": "little"}}],
+"index_codecs": [{"name": "bytes", "configuration": {"endian": "little"}}]}}]})");
+	std::string shard;
+	eachSamplePoint([&](const Vec3& at, int) { addBytes(shard, sampleValue(at)); });
+	const std::uint64_t half = shard.size() / 2;
+	for (const std::uint64_t number : {std::uint64_t(0), half, half, half}) // offset and size of each chunk
+		addBytes(shard, number);
+	writeContents(path + "/0/c/0/0/0", shard);
+}
+
 } // namespace
 
 std::vector<SampleFile> containerSamples()
@@ -323,5 +345,6 @@ std::vector<SampleFile> containerSamples()
 	    {"columns.nc", writeCam, "unstructured", kSampleCellCount, kSamplePointCount, false, ""},
 	    {"prisms.nc", writeMpas, "unstructured", kSampleCellCount, kSamplePointCount, true, "", false},
 	    {"group.zarr", writeZarr, "image", kSampleCellCount, kSamplePointCount, false, "group.zarr/f/1.0.0"},
+	    {"levels.zarr", writeOmeZarr, "image", kSampleCellCount, kSamplePointCount, false, "levels.zarr/0/c/0/0/0"},
 	};
 }

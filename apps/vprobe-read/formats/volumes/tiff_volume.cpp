@@ -133,6 +133,8 @@ void TiffVolume::mapPlanes()
 
 void TiffVolume::choose(std::uint32_t time)
 {
+	if (time >= layout_.times)
+		throw damaged(fmt::format("it has {} times where {} is asked for", layout_.times, time));
 	time_ = time;
 	mapPlanes();
 	if (layout_.counts_previews)
@@ -163,6 +165,8 @@ arrays::ValueLayout TiffVolume::values() const
 // Returns the page of a plane, in its file.
 TiffVolume::Plane TiffVolume::planeOf(std::uint32_t channel, std::uint32_t slice)
 {
+	if (channel >= layout_.channels || slice >= layout_.slices)
+		throw damaged("it has fewer planes than are asked for");
 	Plane at = planes_[layout_.planeOf(channel, slice, time_)];
 	if (at.page == Plane().page)
 		throw damaged(
