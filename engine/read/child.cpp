@@ -213,13 +213,14 @@ rlimit limitOfFiles()
 	return limit;
 }
 
-// vprobe-read becomes vprobe-read-more where a file asks for it. To start that at once spares the time to load the
-// first, a fifth of what a small file takes; it reads all other formats, too.
-std::string programFor(const std::string& program, const std::string& file, const std::string& name)
+// vprobe-read becomes vprobe-read-more where a file asks for it, and to unpack parts. To start that at once spares the
+// time to load the first, a fifth of what a small file takes; it reads all other formats, too.
+std::string programFor(const std::string& program, const std::string& file, const ReadOptions& options)
 {
-	const Format* format = name.empty() ? formatOfEnding(file) : findFormat(name);
+	const Format* format = options.format.empty() ? formatOfEnding(file) : findFormat(options.format);
+	const bool needs_more = (format && format->in_more) || !options.unpack.empty();
 	const std::string more = program + "-more";
-	return format && format->in_more && access(more.c_str(), X_OK) == 0 ? more : program;
+	return needs_more && access(more.c_str(), X_OK) == 0 ? more : program;
 }
 
 } // namespace
@@ -251,7 +252,7 @@ Status ReaderAtWork::started(const Descriptor& requests)
 	const Result<std::string> sandbox = sandboxArgument();
 	if (!sandbox)
 		return sandbox.error();
-	const std::string program = programFor(*found, file_, options_.format);
+	const std::string program = programFor(*found, file_, options_);
 	noteInput(file_);
 	noteInput(options_.solution);
 	for (const std::string& slice : options_.slices)

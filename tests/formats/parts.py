@@ -282,7 +282,7 @@ def stored_zarr(folder):
 def stored_tiff(folder):
     numpy, tifffile = need('numpy'), need('tifffile')
     values = field(numpy)
-    ways = {'plain': {}, 'big': {'byteorder': '>', 'bigtiff': True}, 'imagej': {'imagej': True}, 'rows': {'rowsperstrip': 5},
+    ways = {'plain': {}, 'big': {'byteorder': '>', 'bigtiff': True}, 'imagej': {'imagej': True, 'metadata': {'axes': 'ZYX'}}, 'rows': {'rowsperstrip': 5},
             'zlib': {'compression': 'zlib', 'rowsperstrip': 5}, 'whole': {'compression': 'zlib'},
             'tiles': {'tile': (16, 16)}, 'packed': {'tile': (16, 32), 'compression': 'zlib', 'byteorder': '>'},
             'predictor': {'compression': 'zlib', 'predictor': True, 'dtype': 'u2', 'rowsperstrip': 7}}

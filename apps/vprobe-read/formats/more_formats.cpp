@@ -20,7 +20,8 @@ namespace
 [[noreturn]] void continueWithMore(const Request& request)
 {
 	for (const int fd : {read::kArraysFd, read::kCellsFd})
-		if (ftruncate(fd, 0) != 0 || lseek(fd, 0, SEEK_SET) != 0)
+		if (request.unpack.empty() && // else a list of parts may stand there already
+		    (ftruncate(fd, 0) != 0 || lseek(fd, 0, SEEK_SET) != 0))
 			throw Refusal("the shared memory for its arrays cannot be emptied; try again");
 	const std::string program = door::programWithMore();
 	execv(program.c_str(), request.arguments);
