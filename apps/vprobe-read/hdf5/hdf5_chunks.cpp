@@ -1,10 +1,10 @@
 #include "hdf5_chunks.h"
 
 #include "hdf5_handle.h"
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/mapped_text.h"
 #include "vprobe-read/base/refusal.h"
 
-#include <cstring>
 #include <deque>
 #include <set>
 #include <string_view>
@@ -53,9 +53,7 @@ public:
 	template <class Number>
 	Number number(std::uint64_t address) const
 	{
-		Number read;
-		std::memcpy(&read, at(address, sizeof read).data(), sizeof read);
-		return read;
+		return numberAt<Number>(at(address, sizeof(Number)).data());
 	}
 
 private:
@@ -86,10 +84,8 @@ MessageBlock firstBlock(const FileBytes& file, std::uint64_t address, MessageFor
 	const auto flags = file.number<std::uint8_t>(address + 5);
 	form = {false, (flags & 4) != 0};
 	std::uint64_t at = address + 6 + (flags & 32 ? 16 : 0) + (flags & 16 ? 4 : 0);
-	std::uint64_t bytes = 0;
 	const std::uint64_t width = std::uint64_t(1) << (flags & 3);
-	std::memcpy(&bytes, file.at(at, width).data(), width);
-	return {at + width, bytes};
+	return {at + width, integerAt(file.at(at, width).data(), width)};
 }
 
 // Returns the address of the layout message's contents, or nothing.

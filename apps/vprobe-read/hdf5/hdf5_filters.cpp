@@ -1,6 +1,7 @@
 #include "hdf5_filters.h"
 
 #include "vprobe-read/arrays/chunk_codecs.h"
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/refusal.h"
 
 #include <fmt/format.h>
@@ -33,29 +34,21 @@ constexpr std::array<std::pair<H5Z_filter_t, const char*>, 6> kFilters{{{H5Z_FIL
                                                                         {32015, "zstd"}}};
 constexpr std::size_t kChecksumBytes = 4;
 
-std::uint64_t bigEndianNumber(PackedBytes bytes)
-{
-	std::uint64_t value = 0;
-	for (const std::byte each : bytes)
-		value = value << 8 | static_cast<std::uint64_t>(each);
-	return value;
-}
-
 // The filter of The HDF Group: the number of bytes, that of a block, and each block behind the number of its packed
 // bytes. All numbers are big-endian. A block that did not get shorter is not packed.
 bool unpackLz4Into(PackedBytes packed, UnpackedBytes to)
 {
 	constexpr std::size_t kHead = 12;
-	if (packed.size() < kHead || bigEndianNumber(packed.first(8)) != to.size())
+	if (packed.size() < kHead || numberAt<std::uint64_t>(packed.data(), ByteOrder::big) != to.size())
 		return false;
-	const std::uint64_t block = bigEndianNumber(packed.subspan(8, 4));
+	const std::uint64_t block = numberAt<std::uint32_t>(packed.data() + 8, ByteOrder::big);
 	packed = packed.subspan(kHead);
 	while (!to.empty())
 	{
 		const std::size_t wanted = std::min<std::uint64_t>(block, to.size());
 		if (wanted == 0 || packed.size() < 4)
 			return false;
-		const std::uint64_t bytes = bigEndianNumber(packed.first(4));
+		const std::uint64_t bytes = numberAt<std::uint32_t>(packed.data(), ByteOrder::big);
 		packed = packed.subspan(4);
 		if (bytes > packed.size() || wanted > LZ4_MAX_INPUT_SIZE || bytes > LZ4_MAX_INPUT_SIZE)
 			return false;
@@ -104,8 +97,7 @@ bool checkFletcher(PackedBytes packed, UnpackedBytes to)
 {
 	if (packed.size() != to.size() + kChecksumBytes)
 		return false;
-	std::uint32_t stored = 0;
-	std::memcpy(&stored, packed.data() + to.size(), kChecksumBytes);
+	const auto stored = numberAt<std::uint32_t>(packed.data() + to.size());
 	const std::uint32_t sum = fletcher32(packed.first(to.size()));
 	const std::uint32_t turned = (sum & 0x00FF00FF) << 8 | (sum >> 8 & 0x00FF00FF);
 	std::memcpy(to.data(), packed.data(), to.size());

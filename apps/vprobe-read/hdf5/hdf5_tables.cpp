@@ -1,6 +1,7 @@
 // Reads data sets of texts, and tables with columns, from HDF5 files.
 #include "hdf5_file.h"
 #include "hdf5_handle.h"
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/refusal.h"
 
 #include <fmt/format.h>
@@ -119,7 +120,7 @@ std::map<std::string, double> File::namedNumbers(const std::string& path) const
 	std::map<std::string, double> all;
 	if (columnType(rows, "value", false) >= 0)
 		eachNamed(rows, path, H5T_NATIVE_DOUBLE,
-		          [&](std::string name, const char* at) { std::memcpy(&all[std::move(name)], at, sizeof(double)); });
+		          [&](std::string name, const char* at) { all[std::move(name)] = numberAt<double>(at); });
 	return all;
 }
 
@@ -143,9 +144,7 @@ double File::columnOr(const std::string& path, const char* column, double otherw
 	const Handle one(H5Tcreate(H5T_COMPOUND, sizeof(double)), H5Tclose);
 	H5Tinsert(one, column, 0, H5T_NATIVE_DOUBLE);
 	const std::vector<char> bytes = rows.read(one, sizeof(double), path);
-	double number = 0.0;
-	std::memcpy(&number, bytes.data(), sizeof number);
-	return number;
+	return numberAt<double>(bytes.data());
 }
 
 } // namespace vp::reader::hdf5

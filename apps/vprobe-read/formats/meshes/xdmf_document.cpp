@@ -1,6 +1,7 @@
 #include "xdmf_document.h"
 
 #include "vprobe-read/arrays/value_image.h"
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/is_one_of.h"
 #include "vprobe-read/base/mapped_text.h"
 #include "vprobe-read/base/refusal.h"
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstring>
 #include <filesystem>
 
 #include <hdf5.h>
@@ -233,9 +233,10 @@ XdmfValues XdmfDocument::values(const text::XmlElement& element) const
 		text::Cursor at(item.text);
 		for (std::uint64_t i = 0; i < item.count; ++i)
 		{
-			const std::int64_t integer = whole ? at.integer() : 0;
-			const double real = whole ? 0.0 : at.real();
-			std::memcpy(bytes.data() + 8 * i, whole ? static_cast<const void*>(&integer) : &real, 8);
+			if (whole)
+				putNumber(at.integer(), bytes.data() + 8 * i);
+			else
+				putNumber(at.real(), bytes.data() + 8 * i);
 		}
 		if (!at.atEnd())
 			throw damaged("a DataItem of more values than its Dimensions say");

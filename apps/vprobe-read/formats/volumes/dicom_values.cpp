@@ -1,10 +1,10 @@
 #include "dicom_values.h"
 
 #include "dicom_form.h"
+#include "vprobe-read/base/bytes.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace vp::reader::volumes
@@ -43,10 +43,7 @@ template <class Number>
 void rescaleAs(const std::vector<double>& values, double slope, double intercept, char* to)
 {
 	for (std::size_t i = 0; i < values.size(); ++i, to += sizeof(Number))
-	{
-		const auto number = static_cast<Number>(slope * values[i] + intercept);
-		std::memcpy(to, &number, sizeof number);
-	}
+		putNumber(static_cast<Number>(slope * values[i] + intercept), to);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "zarr_file.h"
 
+#include "vprobe-read/base/bytes.h"
 #include "vprobe-read/base/is_one_of.h"
 #include "vprobe-read/base/refusal.h"
 
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 
 namespace vp::reader::volumes
 {
@@ -121,13 +121,12 @@ std::vector<std::string> namesOfSides(const json& about, const json& attributes,
 // xarray writes reals in JSON of version 3 as the 8 bytes of a double, in base64.
 std::optional<double> realInBase64(const std::string& text)
 {
-	double real = 0.0;
 	std::array<unsigned char, 9> bytes{};
-	if (text.size() != 12 || vtkBase64Utilities::DecodeSafely(reinterpret_cast<const unsigned char*>(text.data()),
-	                                                          text.size(), bytes.data(), bytes.size()) != sizeof(real))
+	if (text.size() != 12 ||
+	    vtkBase64Utilities::DecodeSafely(reinterpret_cast<const unsigned char*>(text.data()), text.size(), bytes.data(),
+	                                     bytes.size()) != sizeof(double))
 		return std::nullopt;
-	std::memcpy(&real, bytes.data(), sizeof(real));
-	return real;
+	return numberAt<double>(bytes.data());
 }
 
 // One list of all values that are missing. Version 2 has no other place for them than the value of chunks that are not
