@@ -313,6 +313,7 @@ void writeZarr(const std::string& path)
 // Version 3 of Zarr, 0.5 of OME-Zarr: two chunks in a shard.
 void writeOmeZarr(const std::string& path)
 {
+	std::filesystem::create_directories(path + "/0/c/0/0");
 	const auto axis = [](char name) { return fmt::format(R"({{"name": "{}", "type": "space"}})", name); };
 	writeContents(path + "/zarr.json",
 	              fmt::format(R"({{"zarr_format": 3, "node_type": "group", "attributes": {{"ome": {{"version": "0.5",

@@ -235,14 +235,14 @@ std::vector<Try> whatReadersNeed(const std::string& input)
 
 int main(int count, char** arguments)
 {
-	if (count != 18)
+	if (count != 19)
 		return 1;
 	vp::reader::Request request;
 	request.solution = arguments[2];
 	request.format = arguments[8];
 	request.convert_folder = arguments[11];
 	request.sandbox = arguments[13];
-	request.file = arguments[17];
+	request.file = arguments[18];
 	const fs::path folder = fs::path(request.file).parent_path();
 	const std::string home = folder.parent_path() / "home";
 	becomeOrdinary();
