@@ -171,19 +171,21 @@ TEST_F(ScriptedReader, GetsItsArgumentsAndNoOtherDescriptors)
 	options.convert_folder = "out.new";
 	options.stays_above = 4096;
 	options.unpack = "64 deflate";
+	options.level = 2;
 	setFollow({"/data", "anywhere"});
 	const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
 	constexpr int leaked = 50;
 	ASSERT_EQ(dup2(STDERR_FILENO, leaked), leaked);
-	const auto handed = run("echo \"$1|$2|$3|$4|$5|$6|$7|$8|$9|${10}|${11}|${12}|${13}|${14}|${15}|${16}|${17}\" >&4; "
-	                        "[ -e /proc/$$/fd/50 ] && "
-	                        "echo leaked >&4; exit 0",
-	                        options);
+	const auto handed =
+	    run("echo \"$1|$2|$3|$4|$5|$6|$7|$8|$9|${10}|${11}|${12}|${13}|${14}|${15}|${16}|${17}|${18}\" >&4; "
+	        "[ -e /proc/$$/fd/50 ] && "
+	        "echo leaked >&4; exit 0",
+	        options);
 	close(leaked);
 	setFollow({});
 	ASSERT_TRUE(handed) << handed.error().message;
 	EXPECT_EQ(handed->manifest, "2.5|some.q|3|0.5 my moves|1|1|^\n=p\n=cell:q|raw|8x4x2 uint8 1x1x1 "
-	                            "little|out.vti|out.new||auto|/data\nanywhere|4096|64 deflate|" +
+	                            "little|out.vti|out.new||auto|/data\nanywhere|4096|64 deflate|2|" +
 	                                input_ + "\n");
 }
 
