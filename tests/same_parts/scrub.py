@@ -23,6 +23,8 @@ def scrub(name, data):
         return b'a trace\n' if is_trace(data) else scrub_json(data)
     if data.startswith(b'%PDF'):
         return re.sub(rb'/(CreationDate|ModDate) *\([^)]*\)', rb'/\1 (#)', data)
+    if data.startswith(b'<?xml') and b'<testsuite' in data[:1024]:
+        return re.sub(rb' time="[^"]*"', b' time="#"', data)
     if name.endswith(('.mp4', '.gif', '.webm', '.mkv')) or b'\0' in data[:4096]:
         return data
     return scrub_stream(data) if name == '' else data
