@@ -39,8 +39,7 @@ double bytesOf(const mesh::SheetMesh& mesh)
 	       sizeOf(mesh.polygon_vertices) + sizeOf(mesh.polygon_cells);
 }
 
-// What a grid holds of its points: a curvilinear or an unstructured one has coordinates for each, others along the
-// axes.
+// Bytes that a grid holds for each of its points.
 template <class G>
 std::uint64_t pointSize(const G& grid)
 {
