@@ -207,20 +207,32 @@ TEST_F(Profile, StagesHaveFaultsAndInstructionsOrAReason)
 	EXPECT_FALSE(stageOf(without, "emit").contains("page_faults"));
 }
 
-// By hand: the plane z = const cuts a box of 6 x 6 x 6 cubes in 36 squares with 49 vertices. A vertex has three
-// coordinates and the place on its edge, of 24 bytes each. A square has 4 numbers of vertices and an offset, of 4 bytes
-// each, and its cell, of 8 bytes; one more offset ends the list.
-TEST_F(Profile, BytesAndTimesOfTheFloor)
+// By hand: the plane z = 0 cuts an image of 7 x 7 x 7 cells in 49 squares with 64 vertices. Nothing is read of the
+// grid. There are 8 spans of 28 bytes, a row of cells each and one for the last points, and 64 columns of 2 bytes. They
+// are written twice: in the list of a part, which leaves half as much memory behind as it grows, and in the cut. A
+// number of 4 bytes tells where the signs of each of the 64 rows of points change.
+//
+// A vertex has three coordinates and the place on its edge, of 24 bytes each. A square has 4 numbers of vertices and an
+// offset, of 4 bytes each, and its cell, of 8 bytes; one more offset ends the list. The spans and columns are read
+// again, and each column has the numbers of its vertices, 16 bytes.
+TEST_F(Profile, LinesAndTimesOfTheFloor)
 {
-	const auto told = profile({"demo:hexes:6", "--normal", "0", "0", "1", "--path", "spin", "--planes", "1"});
-	ASSERT_EQ(told.at("vertices_mean"), 49.0);
-	ASSERT_EQ(told.at("polygons_mean"), 36.0);
+	const auto told = profile({"demo:blob:7", "--normal", "0", "0", "1", "--path", "spin", "--planes", "1"});
+	ASSERT_EQ(told.at("vertices_mean"), 64.0);
+	ASSERT_EQ(told.at("polygons_mean"), 49.0);
+	const auto linesOf = [](int bytes) { return (bytes + 63) / 64; };
+	const auto traverse = stageOf(told, "traverse");
+	EXPECT_EQ(traverse.at("lines"), linesOf(5 * (8 * 28 + 2 * 64) / 2 + 4 * 64));
+	EXPECT_EQ(traverse.at("runs"), 1);
 	const auto emit = stageOf(told, "emit");
-	EXPECT_EQ(emit.at("bytes"), 49 * (24 + 24) + 36 * (4 * 4 + 4 + 8) + 4);
-	EXPECT_EQ(emit.at("lines").get<double>() * 64, emit.at("bytes").get<double>());
+	EXPECT_EQ(emit.at("lines"), linesOf(8 * 28 + (2 + 16) * 64) + linesOf(64 * (24 + 24) + 49 * (4 * 4 + 4 + 8) + 4));
+	EXPECT_EQ(emit.at("runs"), 2);
+	EXPECT_EQ(emit.at("bytes").get<double>(), 64 * emit.at("lines").get<double>());
 	const double bytes_per_ms = 1e-3 * told.at("floor").at("bytes_per_second").get<double>();
 	EXPECT_GT(bytes_per_ms, 1e5); // no memory is slower than 0.1 GB a second
-	EXPECT_NEAR(emit.at("floor_ms").get<double>() * bytes_per_ms, emit.at("bytes").get<double>(), 1.0);
+	const double random_ms = 1e-6 * told.at("floor").at("line_ns").get<double>();
+	EXPECT_NEAR(emit.at("floor_ms").get<double>(),
+	            2 * random_ms + 64 * (emit.at("lines").get<double>() - 2) / bytes_per_ms, 1e-9);
 	EXPECT_NEAR(emit.at("times_floor").get<double>() * emit.at("floor_ms").get<double>(),
 	            emit.at("median").get<double>(), 1e-6);
 	EXPECT_TRUE(stageOf(told, "seed").at("bytes").is_null());

@@ -176,7 +176,7 @@ Result<ExitCode> runTurns(const ProfileOptions& options)
 }
 
 // Measures plane after plane.
-Result<ProfileLog> measure(SweptProbe& swept, std::optional<write::TraceFile>& trace, StageWork& work)
+Result<ProfileLog> measure(SweptProbe& swept, std::optional<write::TraceFile>& trace)
 {
 	ProfileLog log;
 	RemainingTime remaining(swept.planes());
@@ -195,7 +195,6 @@ Result<ProfileLog> measure(SweptProbe& swept, std::optional<write::TraceFile>& t
 		std::vector<Timeline::Section> sections = swept.takeSections();
 		log.add(swept.made().slice, swept.made().sheets, sections);
 		hand(std::move(sections));
-		work.addBytes(swept.made(), swept.pixels());
 		remaining.done();
 	}
 	return log;
@@ -254,11 +253,13 @@ Result<ExitCode> runProfile(ProfileOptions& options, const CLI::App& command)
 		return swept.error();
 	StageWork work;
 	DeviceWork device_work;
-	const Result<ProfileLog> log = measure(*swept, *trace, work);
+	const Result<ProfileLog> log = measure(*swept, *trace);
 	if (!log)
 		return log.error();
 	Profile profile{swept->session(), *log, options.path, swept->picture()};
 	if (Status counted = tells_floor ? countUse(*swept, work) : Nothing{}; !counted)
+		return counted.error();
+	if (Status counted = tells_floor ? countTouched(*swept, work) : Nothing{}; !counted)
 		return counted.error();
 	const bool has_device = swept->session().device() != nullptr;
 	if (Status counted = tells_floor && has_device ? countShaders(*swept, device_work) : Nothing{}; !counted)

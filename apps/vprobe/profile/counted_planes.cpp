@@ -36,6 +36,12 @@ Status countUse(SweptProbe& swept, StageWork& work)
 	    swept, [&] { meter.take(); }, [&] { work.addUse(meter.take()); });
 }
 
+Status countTouched(SweptProbe& swept, StageWork& work)
+{
+	return forSomePlanes(
+	    swept, [] {}, [&] { work.addTouched(swept.session().blocks(), swept.made(), swept.pixels()); });
+}
+
 Status countShaders(SweptProbe& swept, DeviceWork& work)
 {
 	gpu::countInvocations(true);

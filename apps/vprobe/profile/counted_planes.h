@@ -11,6 +11,9 @@ namespace vp::app
 // some systems the question for the CPU time alone takes milliseconds.
 Status countUse(SweptProbe& swept, StageWork& work);
 
+// The same for the memory that they touch.
+Status countTouched(SweptProbe& swept, StageWork& work);
+
 // The same for the shaders of the device.
 Status countShaders(SweptProbe& swept, DeviceWork& work);
 

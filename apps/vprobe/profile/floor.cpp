@@ -51,22 +51,6 @@ double leastSeconds(const Work& work)
 	return least;
 }
 
-// Only what is in the mesh when it is done; memory that grew meanwhile was written more often.
-double bytesOf(const mesh::SheetMesh& mesh)
-{
-	const auto bytes = [](const auto& values) { return static_cast<double>(values.size() * sizeof(values[0])); };
-	return bytes(mesh.positions) + bytes(mesh.edges) + bytes(mesh.rim_shares) + bytes(mesh.polygon_starts) +
-	       bytes(mesh.polygon_vertices) + bytes(mesh.polygon_cells);
-}
-
-double bytesOf(const find::BlockCut& cut)
-{
-	const auto bytes = [](const auto& values) { return static_cast<double>(values.size() * sizeof(values[0])); };
-	if (cut.hasSpans())
-		return bytes(cut.spans().spans) + bytes(cut.spans().columns);
-	return bytes(cut.cells().cells) + bytes(cut.cells().codes);
-}
-
 double medianUse(const std::vector<SectionUse>& uses, double SectionUse::*part)
 {
 	std::vector<double> values;
@@ -166,19 +150,14 @@ Result<Floor> measureFloor(gpu::Device* device)
 	return floor;
 }
 
-void StageWork::addBytes(const session::Frame& frame, std::size_t pixels)
+void StageWork::addTouched(const grid::BlockSet& blocks, const session::Frame& frame, std::size_t pixels)
 {
-	double found = 0.0, made = 0.0;
-	for (const cut::SheetCut& sheet : frame.slice.sheets)
-		for (const find::BlockCut& cut : sheet.cuts)
-			found += bytesOf(cut);
-	for (const session::SheetStats& sheet : frame.sheets)
-		made += bytesOf(sheet.mesh);
-	bytes_["traverse"].push_back(found);
-	bytes_["emit"].push_back(made);
+	for (const auto& [stage, touched] : touchedBy(blocks, frame))
+		touched_[stage].push_back(touched);
 	pixels_ = pixels;
+	const double bytes = 4.0 * static_cast<double>(pixels);
 	if (pixels > 0)
-		bytes_["pixels"].push_back(4.0 * static_cast<double>(pixels));
+		touched_["pixels"].push_back({bytes / kLineBytes, 1.0});
 }
 
 void StageWork::addUse(const SectionUses& uses)
@@ -187,13 +166,31 @@ void StageWork::addUse(const SectionUses& uses)
 		uses_[stage].push_back(use);
 }
 
-// A stage writes once what it makes, at the speed at which memory can be read.
+std::optional<Touched> StageWork::medianTouched(const std::string& stage) const
+{
+	const auto known = touched_.find(stage);
+	if (known == touched_.end())
+		return std::nullopt;
+	const auto median = [&](double Touched::*part)
+	{
+		std::vector<double> values;
+		for (const Touched& touched : known->second)
+			values.push_back(touched.*part);
+		return medianOf(values);
+	};
+	return Touched{median(&Touched::lines), median(&Touched::runs)};
+}
+
+// A stage touches each line once: the first one of a run as a random line, those after it in sequence.
 double StageWork::floorMs(const std::string& stage, const Floor& floor) const
 {
 	if (stage == "wait" && floor.device)
 		return std::max(floor.device->submit_ms, 1e3 * static_cast<double>(pixels_) / floor.device->pixels_per_second);
-	const auto bytes = bytes_.find(stage);
-	return bytes == bytes_.end() ? 0.0 : 1e3 * medianOf(bytes->second) / floor.bytes_per_second;
+	const std::optional<Touched> touched = medianTouched(stage);
+	if (!touched)
+		return 0.0;
+	return 1e-6 * floor.line_ns * touched->runs +
+	       1e3 * kLineBytes * (touched->lines - touched->runs) / floor.bytes_per_second;
 }
 
 void StageWork::put(json& profile, const Floor& floor) const
@@ -209,12 +206,13 @@ void StageWork::put(json& profile, const Floor& floor) const
 		const double cores = ms > 0.0 ? cpu_ms / ms : 0.0;
 		const double floor_ms = floorMs(name, floor);
 		const double times = floor_ms > 0.0 ? ms / floor_ms : 0.0;
-		const auto made = bytes_.find(name);
-		const double bytes = made == bytes_.end() ? 0.0 : medianOf(made->second);
+		const std::optional<Touched> touched = medianTouched(name);
+		const auto told = [&](double Touched::*part) { return touched ? json((*touched).*part) : json(); };
 		stage.update({{"cpu_ms", cpu_ms},
 		              {"cores", cores},
-		              {"bytes", bytes > 0.0 ? json(bytes) : json()},
-		              {"lines", bytes > 0.0 ? json(bytes / kLineBytes) : json()},
+		              {"bytes", touched ? json(kLineBytes * touched->lines) : json()},
+		              {"lines", told(&Touched::lines)},
+		              {"runs", told(&Touched::runs)},
 		              {"floor_ms", floor_ms > 0.0 ? json(floor_ms) : json()},
 		              {"times_floor", floor_ms > 0.0 ? json(times) : json()},
 		              {"bound_by", boundBy(name, cores, times)},

@@ -3,6 +3,7 @@
 #include "base/result.h"
 #include "base/section_use.h"
 #include "gpu/device_speed.h"
+#include "profile/touched_lines.h"
 #include "session/frame.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -27,27 +28,27 @@ struct Floor
 // Measures at most some 0.2 s. device: or null.
 Result<Floor> measureFloor(gpu::Device* device);
 
-// The bytes that the stages of a profile have made on each plane, and the CPU time and what else they have used.
+// The memory that the stages of a profile have touched on each plane, and the CPU time and what else they have used.
 class StageWork
 {
 public:
-	void addBytes(const session::Frame& frame, std::size_t pixels); // 0 pixels without a picture
-	void addUse(const SectionUses& uses);                           // for one plane
+	void addTouched(const grid::BlockSet& blocks, const session::Frame& frame,
+	                std::size_t pixels);  // 0 without a picture
+	void addUse(const SectionUses& uses); // for one plane
 	void setWhyNoCounters(const std::string& why) { why_no_counters_ = why; }
 
-	// Adds `floor` to a profile, and to its stages cpu_ms, cores, bytes, lines, floor_ms, times_floor, bound_by,
+	// Adds `floor` to a profile, and to its stages cpu_ms, cores, bytes, lines, runs, floor_ms, times_floor, bound_by,
 	// page_faults, major_faults, instructions and cache_misses. Its `not_counted` says what is missing.
 	void put(nlohmann::json& profile, const Floor& floor) const;
 
 private:
-	using PerPlane = std::map<std::string, std::vector<double>, std::less<>>;
-
+	std::optional<Touched> medianTouched(const std::string& stage) const;
 	double floorMs(const std::string& stage, const Floor& floor) const;
 
 	std::size_t pixels_ = 0;
 	std::map<std::string, std::vector<SectionUse>, std::less<>> uses_; // per plane
 	std::string why_no_counters_;                                      // empty if there are counters
-	PerPlane bytes_;
+	std::map<std::string, std::vector<Touched>, std::less<>> touched_; // per plane
 };
 
 // Returns the table's lines about the floor; an empty text without one.
