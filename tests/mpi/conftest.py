@@ -4,6 +4,7 @@ import os
 import pathlib
 import shutil
 import subprocess
+import tempfile
 
 import pytest
 
@@ -37,6 +38,9 @@ class Programs:
         # mpiexec, too, would look at the displays of other tests, and end with them.
         self.environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1',
                                 HWLOC_COMPONENTS='-gl',
+                                # The folder of all runs of a user is made by the first and removed by the last, and a
+                                # run that comes between fails. Names of sockets below it may not be long.
+                                OMPI_MCA_orte_tmpdir_base=tempfile.mkdtemp(prefix='vprobe-mpi-', dir='/tmp'),
                                 # A process that waits leaves its core to the others.
                                 OMPI_MCA_mpi_yield_when_idle='1')
 
@@ -81,7 +85,9 @@ def without_dependent(document):
 
 @pytest.fixture(scope='session')
 def programs():
-    return Programs()
+    made = Programs()
+    yield made
+    shutil.rmtree(made.environment['OMPI_MCA_orte_tmpdir_base'], ignore_errors=True)
 
 
 @pytest.fixture(scope='session')
