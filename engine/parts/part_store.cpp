@@ -165,7 +165,8 @@ void PartStore::fetch(const Needs& needs) const
 			if (!KeptParts::ofProcess().holds({number_, number}))
 				missing.push_back(number);
 		}
-	if (!missing.empty() && bytesOfAll(layout_, missing) <= KeptParts::ofProcess().budget() / 2)
+	// More would push out the first of them before anybody has looked at it.
+	if (!missing.empty() && bytesOfAll(layout_, missing) <= KeptParts::ofProcess().budget())
 		readSeveral(missing);
 }
 

@@ -315,8 +315,11 @@ std::size_t ZarrArray::copyFile(const File& file, const Sides& starts, const Sid
 		             Sides of_chunk = begin;
 		             for (std::size_t i = 0; i < indices.size(); ++i)
 			             of_chunk[i] += indices[i] * layout_.chunk[i];
-		             if (const auto packed = shard.chunk(indices))
-			             values += copyChunk(*packed, of_chunk, where, starts, counts, to);
+		             const auto packed = shard.chunk(indices);
+		             if (!packed)
+			             return;
+		             mapped.announce({reinterpret_cast<const char*>(packed->data()), packed->size()});
+		             values += copyChunk(*packed, of_chunk, where, starts, counts, to);
 	             });
 	return values;
 }
