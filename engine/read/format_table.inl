@@ -47,10 +47,9 @@ VP_FORMAT("gmsh", ".msh", "Gmsh mesh, versions 1, 2 and 4, text and binary",
           head.starts("$MeshFormat") || head.starts("$NOD") || (head.starts("$Comments") && head.has("$MeshFormat")),
           base, meshes, Gmsh)
 VP_FORMAT("zarr", ".zarr", "Zarr versions 2 and 3, a folder, of the CF conventions or OME-Zarr",
-          "axes by their attributes; missing and packed values; packed chunks; shards; channels; times; units", "vprobe",
-          folder,
-          head.isFolder() &&
-              (head.holdsFile(".zgroup") || head.holdsFile(".zarray") || head.holdsFile("zarr.json")),
+          "axes by their attributes; missing and packed values; packed chunks; shards; channels; times; units",
+          "vprobe", folder,
+          head.isFolder() && (head.holdsFile(".zgroup") || head.holdsFile(".zarray") || head.holdsFile("zarr.json")),
           more, volumes, Zarr)
 VP_FORMAT("slices", "", "volume in slices: TIFF or PNG files of a folder, or of a pattern in quotes: 'slices/*.tif'",
           "one array; spacing; units", "libtiff, VTK", folder, head.isOfSlices(), base, volumes, Slices)
