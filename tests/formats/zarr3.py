@@ -337,6 +337,12 @@ def damaged_zarr3(folder):
                                ('few', [('0', [1, 1], None)], 'a number for each axis')):
         group3(folder / f'ome-{name}', ome_attributes(axes, levels))
         refused(folder / f'ome-{name}', word)
+    for name, shape, word in (('channels', (2**30, 1, 6, 4, 5), 'channels'), ('times', (1, 2**30, 6, 4, 5), 'times')):
+        write3(folder / name / '0', numpy.zeros((1, 1, 6, 4, 5), 'f4'), (1, 1, 3, 2, 5))
+        changed(folder / name / '0', lambda about: about.update(shape=shape))
+        five = [{'name': 'c', 'type': 'channel'}, {'name': 't', 'type': 'time'}] + axes
+        group3(folder / name, ome_attributes(five, [('0', [1, 1, 1, 1, 1], None)]))
+        refused(folder / name, f'has {2**30} {word}')
     group3(folder / 'plate', {'ome': {'plate': {}}})
     refused(folder / 'plate', 'a plate', 'A/1/0')
     group3(folder / 'turned', ome_attributes(axes[::-1], [('0', [1, 1, 1], None)]))

@@ -25,6 +25,8 @@ using grid::NumberType;
 namespace
 {
 
+constexpr std::size_t kMaxChannels = 10'000;
+
 NumberType numberTypeOf(const ZarrType& type, const std::string& name)
 {
 	switch (type.kind)
@@ -77,8 +79,11 @@ void placeImage(const OmeZarr& image, const OmeZarr::Level& level, vtkImageData&
 
 std::size_t chooseTime(const OmeZarr& image, const ZarrArray& array, const Request& request, manifest::Writer& manifest)
 {
+	constexpr std::size_t kMaxTimes = 1'000'000;
 	const std::optional<std::size_t> axis = image.axisOf("time");
 	std::vector<double> times;
+	if (axis && array.shape()[*axis] > kMaxTimes)
+		throw damaged(fmt::format("its level {} has {} times", array.name(), array.shape()[*axis]));
 	if (axis && array.shape()[*axis] > 1)
 		for (std::size_t step = 0; step < array.shape()[*axis]; ++step)
 			times.push_back(image.levels[0].translation[*axis] +
@@ -149,7 +154,10 @@ void readOmeZarr(const OmeZarr& image, const Request& request, manifest::Writer&
 		if (side != time && side != channel && array.shape()[side] > 1)
 			manifest.warn(fmt::format("of its axis {} the first of {} places is shown", image.axes[side].name,
 			                          array.shape()[side]));
-	const std::vector<std::string> names = namesOfChannels(image, channel ? array.shape()[*channel] : 1);
+	const std::size_t channels = channel ? array.shape()[*channel] : 1;
+	if (channels > kMaxChannels)
+		throw damaged(fmt::format("its level {} has {} channels", level.path, channels));
+	const std::vector<std::string> names = namesOfChannels(image, channels);
 	vtkSmartPointer<vtkImageData> data;
 	for (std::size_t i = 0; i < names.size(); ++i)
 	{
