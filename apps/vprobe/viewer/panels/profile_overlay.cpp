@@ -99,18 +99,22 @@ void showMemory(const Desk& desk, const PresentedFrame& shown)
 	cutFact("Device", bytes(static_cast<double>(shown.memory.device)), "Blocks, values and polygons in device memory");
 }
 
-void stageRow(std::uint32_t depth, const std::string& name, double median, double last)
+void stageRow(const std::string& name, const std::array<std::string, 2>& columns)
 {
 	ImGui::TableNextColumn();
-	ImGui::TextUnformatted((std::string(2 * depth, ' ') + name).c_str());
-	for (const double ms : {median, last})
+	ImGui::TextUnformatted(name.c_str());
+	for (const std::string& column : columns)
 	{
-		const std::string number = fmt::format("{:.2f}", ms);
 		ImGui::TableNextColumn();
-		const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(number.c_str()).x;
+		const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(column.c_str()).x;
 		ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, room));
-		ImGui::TextDisabled("%s", number.c_str());
+		ImGui::TextDisabled("%s", column.c_str());
 	}
+}
+
+void stageRow(std::uint32_t depth, const std::string& name, double median, double last)
+{
+	stageRow(std::string(2 * depth, ' ') + name, {fmt::format("{:.2f}", median), fmt::format("{:.2f}", last)});
 }
 
 // The stages of `vprobe profile`, under the same names.
@@ -122,6 +126,7 @@ void showStages(const Desk& desk)
 	tip("Milliseconds a picture with one sample: the median of the last 60, and the last one");
 	if (ImGui::BeginTable("stages", 3))
 	{
+		stageRow("ms a picture", {"median", "last"});
 		const auto showTrack = [&](Timeline::Track track, std::uint32_t depth)
 		{
 			for (const StageFigure& stage : stages)
