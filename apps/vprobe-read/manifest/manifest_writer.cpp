@@ -256,8 +256,9 @@ bool Writer::describeLattice(vtkDataSet* data, json& block)
 void Writer::refuseOtherLevel(std::size_t level) const
 {
 	if (level >= levels_)
-		throw Refusal(levels_ == 1 ? fmt::format("--level {}: it has one level; leave this out", level)
-		                           : fmt::format("--level {}: it has levels 0 to {}", level, levels_ - 1));
+		throw Refusal(levels_ == 1
+		                  ? fmt::format("--level {}: it has one level; leave this out", level)
+		                  : fmt::format("--level {}: it has levels 0 to {}; take one of them", level, levels_ - 1));
 }
 
 std::string Writer::finish()
