@@ -1,5 +1,7 @@
 #include "profile/paired_ratios.h"
 
+#include "profile/spread.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -31,6 +33,22 @@ double studentWithin(double angle, std::size_t degrees)
 		sum += weight * std::pow(std::cos(k * step), nu - 1.0);
 	}
 	return std::min(1.0, 2.0 * scale * sum * step / 3.0);
+}
+
+// Returns by how much the variance of a mean grows because neighbors in a series are alike: (1 + r) / (1 - r) for a
+// series in which each value is r times the one before, and noise (an autoregressive process of order 1). At least 1.
+double growthOfVariance(const std::vector<double>& series)
+{
+	constexpr double kMostAlike = 0.9;
+	const double mean = std::accumulate(series.begin(), series.end(), 0.0) / static_cast<double>(series.size());
+	double square = 0.0, neighbors = 0.0;
+	for (std::size_t i = 0; i < series.size(); ++i)
+	{
+		square += (series[i] - mean) * (series[i] - mean);
+		neighbors += i > 0 ? (series[i] - mean) * (series[i - 1] - mean) : 0.0;
+	}
+	const double r = square > 0.0 ? std::clamp(neighbors / square, 0.0, kMostAlike) : 0.0;
+	return (1.0 + r) / (1.0 - r);
 }
 
 } // namespace
@@ -77,8 +95,12 @@ RatioEstimate PairedRatios::estimate() const
 	std::vector<Pair> sorted = pairs_;
 	std::ranges::sort(sorted, {}, &Pair::log);
 	std::vector<std::size_t> sizes(rounds_.size());
+	std::vector<std::vector<double>> logs(rounds_.size());
 	for (const Pair& pair : sorted)
+	{
 		++sizes[pair.round];
+		logs[pair.round].push_back(pair.log);
+	}
 	// The median if each round counts as often as it was drawn.
 	const auto medianOfDrawn = [&](const std::vector<std::size_t>& drawn)
 	{
@@ -112,9 +134,13 @@ RatioEstimate PairedRatios::estimate() const
 		const double off = medianOfDrawn(drawn) - estimate.log;
 		square += off * off;
 	}
-	// A bootstrap of n draws sees a variance that is too small by (n - 1) / n.
+	// A bootstrap of n draws sees a variance that is too small by (n - 1) / n. And it takes rounds for independent,
+	// while one program may be on the slower core for several of them.
 	const double n = static_cast<double>(rounds_.size());
-	estimate.error = std::sqrt(square / kResamples * n / (n - 1.0));
+	std::vector<double> medians;
+	for (const std::vector<double>& round : logs)
+		medians.push_back(medianOf(round));
+	estimate.error = std::sqrt(square / kResamples * n / (n - 1.0) * growthOfVariance(medians));
 	return estimate;
 }
 

@@ -39,7 +39,7 @@ public:
 
 	// The error comes from a bootstrap over rounds: rounds are drawn with replacement, each with all its pairs, since
 	// what disturbs the machine lasts longer than one pair (Efron and Tibshirani, "An Introduction to the Bootstrap",
-	// 1993, chapter 8). The drawing is the same in every run.
+	// 1993, chapter 8). It grows where neighboring rounds are alike. The drawing is the same in every run.
 	RatioEstimate estimate() const;
 
 private:

@@ -35,16 +35,24 @@ void tellRemarks(const std::vector<Contender>& contenders)
 
 } // namespace
 
+std::vector<std::size_t> Turns::turns() const
+{
+	std::vector<std::size_t> contenders;
+	for (std::size_t k = 0; k < contenders_.size(); ++k)
+		contenders.push_back((k + rounds_) % contenders_.size());
+	return contenders;
+}
+
 Status Turns::start()
 {
-	for (Contender& contender : contenders_)
-		if (Status started = contender.start(); !started)
+	for (const std::size_t c : turns())
+		if (Status started = contenders_[c].start(); !started)
 			return started;
-	for (Contender& contender : contenders_)
+	for (const std::size_t c : turns())
 	{
-		if (Status ready = contender.waitUntilReady(); !ready)
+		if (Status ready = contenders_[c].waitUntilReady(); !ready)
 			return ready;
-		plane_by_plane_ = plane_by_plane_ && contender.answersPlanes();
+		plane_by_plane_ = plane_by_plane_ && contenders_[c].answersPlanes();
 	}
 	planes_ = plane_by_plane_ ? contenders_[0].planes() : 1;
 	for (const Contender& contender : contenders_)
@@ -59,7 +67,7 @@ Status Turns::start()
 // them take the memory that all others need.
 Status Turns::measureFirst()
 {
-	for (std::size_t c = 0; c < contenders_.size(); ++c)
+	for (const std::size_t c : turns())
 	{
 		if (!plane_by_plane_)
 		{
@@ -137,12 +145,9 @@ Status Turns::round()
 		if (Status measured = measureFirst(); !measured)
 			return measured;
 	}
-	const std::size_t count = contenders_.size();
-	std::vector<std::size_t> order;
-	for (std::size_t k = 0; k < count; ++k)
-		order.push_back((k + rounds_) % count);
+	std::vector<std::size_t> order = turns();
 	// [plane][contender]
-	std::vector<std::vector<Times>> there(planes_, std::vector<Times>(count));
+	std::vector<std::vector<Times>> there(planes_, std::vector<Times>(contenders_.size()));
 	std::vector<std::vector<Times>> back = there;
 	for (auto* way : {&there, &back})
 	{

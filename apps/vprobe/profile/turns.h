@@ -15,8 +15,8 @@ constexpr int kMaxRounds = 1000;
 
 // Measures settings in turns. In each round, all programs start anew, since where the system puts a program and its
 // memory makes it faster or slower by some percent as long as it runs. Then every setting measures each plane twice:
-// once on the way through the settings and once on the way back, so that none has the better place. Who begins changes
-// from round to round.
+// once on the way through the settings and once on the way back, so that none has the better place. Who starts first,
+// and begins, changes from round to round.
 class Turns
 {
 public:
@@ -54,6 +54,8 @@ private:
 	// ms[stage] of one plane, 0 where a stage is missing.
 	using Times = std::vector<double>;
 
+	// Returns the contenders in this round's order.
+	std::vector<std::size_t> turns() const;
 	Status start();
 	Status measureFirst();
 	Result<Times> measure(std::size_t contender, std::size_t plane);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <random>
+#include <vector>
 
 namespace vp::app
 {
@@ -67,6 +68,40 @@ TEST(PairedRatios, RatiosThatAreAllEqualLeaveNoDoubt)
 	EXPECT_NEAR(estimate.interval(0.95).low, 1.1, 1e-12);
 	EXPECT_NEAR(estimate.interval(0.95).high, 1.1, 1e-12);
 	EXPECT_EQ(estimate.chance(), 0.0);
+}
+
+RatioEstimate ofRounds(const std::vector<double>& logs)
+{
+	PairedRatios ratios;
+	for (std::size_t round = 0; round < logs.size(); ++round)
+		ratios.add(round, 1.0, std::exp(logs[round]));
+	return ratios.estimate();
+}
+
+// By hand: four rounds of a, a, -a, -a have neighbors with the correlation (1 - 1 + 1) / 4, so that the variance counts
+// 1.25 / 0.75 times. Where they alternate, the correlation is below 0 and the variance counts as it is.
+TEST(PairedRatios, NeighborsThatAreAlikeWidenTheInterval)
+{
+	const double apart = ofRounds({0.1, -0.1, 0.1, -0.1}).error;
+	const double alike = ofRounds({0.1, 0.1, -0.1, -0.1}).error;
+	EXPECT_NEAR(alike / apart, std::sqrt(1.25 / 0.75), 0.05); // 1000 drawings each
+}
+
+// A program that was put on the slower core often stays there for some rounds.
+TEST(PairedRatios, FewIntervalsOfRoundsThatAreAlikeLeaveOutOne)
+{
+	std::mt19937_64 random(9);
+	std::normal_distribution<double> normal;
+	int wrong = 0;
+	for (int run = 0; run < 400; ++run)
+	{
+		std::vector<double> logs;
+		double bias = normal(random);
+		for (int round = 0; round < 40; ++round)
+			logs.push_back(bias = 0.5 * bias + std::sqrt(0.75) * normal(random));
+		wrong += !ofRounds(logs).interval(0.95).contains(1.0);
+	}
+	EXPECT_LE(wrong, 40); // 23, and 69 where all rounds are taken for independent
 }
 
 // By hand, of four: the least is judged at 5 % / 4, the next at 5 % / 3; the third is above 5 % / 2, and the rest is
