@@ -20,7 +20,7 @@ using nlohmann::json;
 namespace
 {
 
-Refusal notFollowed(const std::string& what)
+Refusal attributesNotFollowed(const std::string& what)
 {
 	return damaged(fmt::format("its OME-Zarr attributes cannot be followed: {}", what));
 }
@@ -62,7 +62,7 @@ std::vector<double> numbersIn(const json& given, const char* key, std::size_t co
 			numbers.push_back(one.get<double>());
 	const bool are_finite = std::all_of(numbers.begin(), numbers.end(), [](double one) { return std::isfinite(one); });
 	if (numbers.size() != count || !are_finite)
-		throw notFollowed(fmt::format("a {} without a number for each axis", key));
+		throw attributesNotFollowed(fmt::format("a {} without a number for each axis", key));
 	return numbers;
 }
 
@@ -92,7 +92,7 @@ bool transform(OmeZarr::Level& level, const json& transformations)
 		is_placed = is_placed || type == "translation";
 	}
 	if (std::any_of(level.scale.begin(), level.scale.end(), [](double scale) { return !(scale > 0.0); }))
-		throw notFollowed("a scale that is not above 0");
+		throw attributesNotFollowed("a scale that is not above 0");
 	return is_placed;
 }
 
@@ -111,7 +111,7 @@ std::string pathOf(const json& dataset)
 		if (step == ".." || step == "/")
 			throw Refusal(fmt::format("its level {} lies outside of it; keep them together", path.substr(0, 80)));
 	if (path.empty())
-		throw notFollowed("a level without a path");
+		throw attributesNotFollowed("a level without a path");
 	return path;
 }
 
@@ -164,7 +164,7 @@ std::optional<OmeZarr> OmeZarr::of(const ZarrGroup& group)
 	for (Level& level : image.levels)
 		transform(level, listIn(images[0], "coordinateTransformations"));
 	if (image.levels.empty())
-		throw notFollowed("no levels");
+		throw attributesNotFollowed("no levels");
 	takeChannels(image, listIn(about.value("omero", json()), "channels"));
 	image.labels = about.contains("image-label");
 	return image;

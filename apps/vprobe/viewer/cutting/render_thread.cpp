@@ -18,15 +18,30 @@ namespace
 constexpr std::chrono::milliseconds kStill{120};
 constexpr std::string_view kFrameSection = "frame";
 
+// Of a coarser level that is cut in place of the finest one, at most. It is in memory beside the parts of that one.
+constexpr std::uint64_t kDraftBytes = std::uint64_t(256) << 20;
+
+// Returns the size of the arrays that stay in their files.
+std::uint64_t bytesInFiles(const grid::BlockSet& blocks)
+{
+	std::uint64_t bytes = 0;
+	for (const grid::Block& block : blocks.blocks)
+		for (const grid::Field& field : block.fields)
+			bytes += field.stored ? field.stored->layout().byteCount() : 0;
+	return bytes;
+}
+
 } // namespace
 
 RenderThread::RenderThread(std::shared_ptr<gpu::Device> device, std::function<void()> wake, WindowTimes& times)
-    : device_(std::move(device)), wake_(std::move(wake)), times_(times), thread_(
-                                                                             [this]
-                                                                             {
-	                                                                             nameThreadRow("render");
-	                                                                             work();
-                                                                             })
+    : device_(std::move(device)), wake_(std::move(wake)), times_(times), draft_loader_(
+                                                                             device_, [] {}, times.keep()),
+      thread_(
+          [this]
+          {
+	          nameThreadRow("render");
+	          work();
+          })
 {
 }
 
@@ -131,9 +146,9 @@ void RenderThread::work()
 
 void RenderThread::keepTimes()
 {
-	if (!session_)
+	if (!at_->session)
 		return;
-	std::vector<Timeline::Section> sections = times_.take(*session_->timeline(), session_start_ms_);
+	std::vector<Timeline::Section> sections = times_.take(*at_->session->timeline(), at_->start_ms);
 	const auto is_frame = [row = threadRow()](const Timeline::Section& section)
 	{ return section.row == row && section.name == kFrameSection; };
 	const auto frame = std::ranges::find_if(sections, is_frame);
@@ -150,16 +165,54 @@ void RenderThread::keepTimes()
 	times_.addFrame(stageTimes(std::move(sections)));
 }
 
+void RenderThread::Level::take(std::unique_ptr<session::Session> other, WindowTimes& times)
+{
+	painter.reset();
+	cut.reset();
+	grown = {};
+	followed.reset();
+	session = std::move(other);
+	start_ms = session ? times.startOf(*session->timeline()) : 0.0;
+}
+
 void RenderThread::install(std::unique_ptr<session::Session> session)
 {
-	painter_.reset();
-	cut_.reset();
-	grown_ = {};
-	followed_.reset();
+	at_ = &finest_;
 	rough_ = false;
 	neighbors_.drop();
-	session_ = std::move(session);
-	session_start_ms_ = times_.startOf(*session_->timeline());
+	draft_loader_.cancel();
+	draft_.take(nullptr, times_);
+	backdrop_ = {};
+	finest_.take(std::move(session), times_);
+	beginDraft();
+}
+
+void RenderThread::beginDraft()
+{
+	const grid::BlockSet& blocks = finest_.session->blocks();
+	view::ViewSpec spec = finest_.session->spec();
+	const std::uint64_t room = std::min(kDraftBytes, session::memoryForParts(spec) / 4);
+	std::uint64_t bytes = bytesInFiles(blocks);
+	// Levels commonly halve each side.
+	for (; bytes > room && spec.input.level + 1 < static_cast<int>(blocks.levels); bytes /= 8)
+		++spec.input.level;
+	if (bytes > 0 && bytes <= room)
+		draft_loader_.begin(std::move(spec));
+}
+
+bool RenderThread::wantsDraft(const PictureRequest& wish)
+{
+	// Where it cannot be opened there is none.
+	if (std::optional<Loader::Loaded> loaded = draft_loader_.take(); loaded && loaded->session)
+	{
+		draft_.take(std::move(*loaded->session), times_);
+		draft_.followed = PictureRequest{.spec = std::move(loaded->spec)};
+		draft_.number = draft_.followed->spec.input.level;
+	}
+	if (!draft_.session || !finest_.cut || !finest_.followed)
+		return false;
+	const view::ViewSpec& had = finest_.followed->spec;
+	return !(had.probe == wish.spec.probe) || !(had.input.time == wish.spec.input.time);
 }
 
 void RenderThread::answer(const PictureRequest& wish, bool smooth)
@@ -175,26 +228,47 @@ Status RenderThread::show(const PictureRequest& wish, bool smooth)
 {
 	if (smooth)
 		return refine();
+	if (wantsDraft(wish))
+	{
+		at_ = &draft_;
+		if (show(wish))
+			return Nothing{};
+	}
+	at_ = &finest_;
+	return show(wish);
+}
+
+Status RenderThread::show(const PictureRequest& wish)
+{
 	const FrameScope scope(++frames_, FrameScope::Stop::picture);
-	const TimedSection section(session_->timeline(), kFrameSection);
+	const TimedSection section(at_->session->timeline(), kFrameSection);
 	PresentedFrame shown;
 	shown.number = frames_;
 	shown.wish = wish;
-	if (Status followed = follow(wish); !followed)
+	shown.probe = view::makeProbe(wish.spec.probe, finest_.session->blocks().bounds());
+	PictureRequest own = wish; // of the level
+	if (at_ == &draft_)
+	{
+		shown.draft = draft_.number;
+		own.spec.input.level = draft_.number;
+		// The bounds of a coarser level are others, and so are their centers.
+		if (!own.spec.probe.origin && !own.spec.probe.own)
+			own.spec.probe.origin = shown.probe.frame.origin;
+	}
+	if (Status followed = follow(own); !followed)
 		return followed;
-	shown.probe = view::makeProbe(wish.spec.probe, session_->blocks().bounds());
 	Result<double> cut_ms = cutAsWished();
 	if (!cut_ms)
 		return cut_ms.error();
 	shown.cut_ms = *cut_ms;
-	if (Status grown = growAsWished(wish); !grown)
+	if (Status grown = growAsWished(own); !grown)
 		return grown;
-	shown.cut = cut_;
+	shown.cut = at_->cut;
 	shown.cuts = cuts_;
-	shown.empty = std::ranges::all_of(cut_->slice.sheets, session::isEmpty);
-	shown.memory = session_->cutter().memory();
-	shown.vector_dt = session_->view().launch ? session_->launch().dt : 0.0;
-	if (const auto before = this->shown(); before && before->cut == cut_)
+	shown.empty = std::ranges::all_of(at_->cut->slice.sheets, session::isEmpty);
+	shown.memory = at_->session->cutter().memory();
+	shown.vector_dt = at_->session->view().launch ? at_->session->launch().dt : 0.0;
+	if (const auto before = this->shown(); before && before->cut == at_->cut)
 		shown.lookups = before->lookups;
 	Result<bool> drawn = draw(shown, false);
 	if (!drawn)
@@ -202,8 +276,8 @@ Status RenderThread::show(const PictureRequest& wish, bool smooth)
 	publish(std::move(shown));
 	rough_ = true;
 	// The picture is there; now comes what makes a moved cut fast.
-	if (!grid::hasNeighbors(session_->blocks()))
-		neighbors_.begin(session_->blocks());
+	if (!grid::hasNeighbors(at_->session->blocks()))
+		neighbors_.begin(at_->session->blocks());
 	return Nothing{};
 }
 
@@ -211,9 +285,13 @@ Status RenderThread::refine()
 {
 	rough_ = false;
 	const PictureRequest wish = shown()->wish;
+	at_ = &finest_;
+	if (shown()->draft)
+		return show(wish);
 	// An order may have led session and painter elsewhere.
-	if (!followed_ || !(followed_->spec == wish.spec) || grown_.cut != cut_ || !(grown_.pointed == wish.contour))
-		return show(wish, false);
+	if (!at_->followed || !(at_->followed->spec == wish.spec) || at_->grown.cut != at_->cut ||
+	    !(at_->grown.pointed == wish.contour))
+		return show(wish);
 	addLookups();
 	PresentedFrame shown = *this->shown();
 	if (shown.smooth || waits())
@@ -233,7 +311,7 @@ void RenderThread::addLookups()
 	if (shown.lookups)
 		return;
 	const bool by_generation = shown.wish.spec.look.color_by == view::ColorBy::generation;
-	shown.lookups = std::make_shared<const SheetLookups>(*session_, shown.cut, by_generation);
+	shown.lookups = std::make_shared<const SheetLookups>(*at_->session, shown.cut, by_generation);
 	publish(std::move(shown));
 	wake_();
 }
@@ -242,19 +320,23 @@ void RenderThread::addLookups()
 Result<bool> RenderThread::draw(PresentedFrame& shown, bool smooth)
 {
 	const Moment start = std::chrono::steady_clock::now();
-	const TimedSection section(session_->timeline(), "render");
-	FrameScope::comesTo(FrameScope::Stop::picture, session_->timeline());
-	Result<render::Scene> scene = painter_->sceneOf(shown.cut->slice, shown.cut->sheets, grown_.contours);
+	const TimedSection section(at_->session->timeline(), "render");
+	FrameScope::comesTo(FrameScope::Stop::picture, at_->session->timeline());
+	Result<render::Scene> scene = at_->painter->sceneOf(shown.cut->slice, shown.cut->sheets, at_->grown.contours);
 	if (!scene)
 		return scene.error();
+	if (shown.draft)
+		backdrop_.putInto(*scene, shown.wish.spec);
+	else
+		backdrop_ = Backdrop(*scene, shown.wish.spec);
 	shown.smooth = smooth || scene->look.samples == 1;
 	if (!smooth)
 		scene->look.samples = 1;
 	Result<std::shared_ptr<gpu::Image>> image = pictures_.take(*device_, {scene->look.width, scene->look.height});
 	if (!image)
 		return image.error();
-	Result<bool> drawn = painter_->renderer().drawInto(
-	    *scene, **image, [&] { return !smooth || !waits(); }, session_->timeline());
+	Result<bool> drawn = at_->painter->renderer().drawInto(
+	    *scene, **image, [&] { return !smooth || !waits(); }, at_->session->timeline());
 	if (!drawn || !*drawn)
 		return drawn;
 	shown.image = *image;

@@ -4,7 +4,9 @@
 #include "picture/painter.h"
 #include "session/frame.h"
 #include "view/view_spec.h"
+#include "viewer/cutting/backdrop.h"
 #include "viewer/cutting/gpu_pictures.h"
+#include "viewer/cutting/loader.h"
 #include "viewer/cutting/neighbor_builder.h"
 #include "viewer/cutting/sheet_lookups.h"
 #include "viewer/cutting/window_times.h"
@@ -82,6 +84,7 @@ struct PresentedFrame
 	};
 	std::optional<Pane> pane;                    // if one was requested and its sheet is visible
 	bool smooth = false;                         // the picture has all its samples
+	std::optional<int> draft;                    // this coarser level was cut; the exact cut follows
 	bool empty = false;                          // no sheet cuts anything
 	double vector_dt = 0.0;                      // time of a particle's step, 0 without particles
 	std::shared_ptr<const SheetLookups> lookups; // values of the cut, once the probe has rested; or null
@@ -142,10 +145,30 @@ private:
 		session::Contours contours;
 	};
 
+	// A resolution of the data, and what was made of it. The first is the one that was opened. While the probe moves,
+	// another is cut in its place if values stay in their file: a coarser one, all of which is in memory.
+	struct Level
+	{
+		std::unique_ptr<session::Session> session;
+		int number = 0;        // of the level, of a draft alone
+		double start_ms = 0.0; // where its timeline starts on the time axis of the window
+		std::optional<picture::Painter> painter;
+		std::optional<PictureRequest> followed; // the request that session and painter follow
+		std::shared_ptr<const session::Frame> cut;
+		Grown grown;
+
+		void take(std::unique_ptr<session::Session> other, WindowTimes& times);
+	};
+
 	void work();
 	void answer(const PictureRequest& wish, bool smooth);
 	Status show(const PictureRequest& wish, bool smooth);
+	Status show(const PictureRequest& wish); // of the level that was chosen
 	void install(std::unique_ptr<session::Session> session);
+	// Begins to open a coarser level, if there is one that helps.
+	void beginDraft();
+	// Returns true if a coarser level is to be cut for a wish, until the probe rests.
+	bool wantsDraft(const PictureRequest& wish);
 	template <class Work>
 	auto tried(const Work& work) -> decltype(work());
 	// Gives the session the neighbors of cells once they are built. Waits for them only if they are needed.
@@ -173,15 +196,14 @@ private:
 	WindowTimes& times_;
 
 	// Used by the render thread only.
-	std::unique_ptr<session::Session> session_;
-	double session_start_ms_ = 0.0; // where its timeline starts on the time axis of the window
-	std::optional<picture::Painter> painter_;
-	std::optional<PictureRequest> followed_; // the request that session and painter follow
-	std::shared_ptr<const session::Frame> cut_;
+	Level finest_;
+	Level draft_; // without a session where there is none, or not yet
+	Level* at_ = &finest_;
+	Loader draft_loader_;
+	Backdrop backdrop_; // of the last picture of the finest level
 	std::uint64_t cuts_ = 0;
-	int frames_ = 0; // begun so far
-	NeighborBuilder neighbors_;
-	Grown grown_;
+	int frames_ = 0;                  // begun so far
+	NeighborBuilder neighbors_;       // of the finest level
 	std::atomic<bool> rough_ = false; // the picture gets all its samples once the probe has rested
 	Pictures pictures_;
 	Pictures pane_pictures_;
@@ -203,7 +225,7 @@ private:
 template <class Work>
 auto RenderThread::tried(const Work& work) -> decltype(work())
 {
-	if (!session_)
+	if (!finest_.session)
 		return Error{ErrorKind::input, "nothing is shown yet; open a file first"};
 	try
 	{

@@ -20,18 +20,19 @@ bool haveSameRims(const view::ProbeSpec& a, const view::ProbeSpec& b)
 
 Status RenderThread::takeNeighbors(bool needed)
 {
-	if (grid::hasNeighbors(session_->blocks()))
+	if (grid::hasNeighbors(at_->session->blocks()))
 		return Nothing{};
 	if (needed)
-		neighbors_.begin(session_->blocks());
+		neighbors_.begin(at_->session->blocks());
 	Result<std::optional<grid::BlockSet>> built = neighbors_.take(needed);
 	if (!built)
 		return built.error();
 	if (!*built)
 		return Nothing{};
-	cut_.reset(); // cells have other numbers now
-	grown_ = {};
-	return session_->takeNeighbors(std::move(**built)); // the time may have changed meanwhile, and the values with it
+	at_->cut.reset(); // cells have other numbers now
+	at_->grown = {};
+	return at_->session->takeNeighbors(
+	    std::move(**built)); // the time may have changed meanwhile, and the values with it
 }
 
 Status RenderThread::follow(const PictureRequest& wish)
@@ -40,34 +41,34 @@ Status RenderThread::follow(const PictureRequest& wish)
 	if (done)
 		done = followAll(wish);
 	if (!done)
-		followed_.reset(); // some of it may have been done
+		at_->followed.reset(); // some of it may have been done
 	return done;
 }
 
 // Session and painter, as the wish has them. What has not changed is left as it is.
 Status RenderThread::followAll(const PictureRequest& wish)
 {
-	if (!followed_ || !(followed_->spec.input.time == wish.spec.input.time))
+	if (!at_->followed || !(at_->followed->spec.input.time == wish.spec.input.time))
 		if (Status moved = followTime(wish.spec.input.time); !moved)
 			return moved;
-	if (Status set = session_->set(wish.spec); !set)
+	if (Status set = at_->session->set(wish.spec); !set)
 		return set;
-	if (!followed_ || !(followed_->spec.look == wish.spec.look) ||
-	    !haveSameRims(followed_->spec.probe, wish.spec.probe))
+	if (!at_->painter || !at_->followed || !(at_->followed->spec.look == wish.spec.look) ||
+	    !haveSameRims(at_->followed->spec.probe, wish.spec.probe))
 		if (Status looked = followLook(wish); !looked)
 			return looked;
-	followed_ = wish;
+	at_->followed = wish;
 	return Nothing{};
 }
 
 Status RenderThread::followTime(const read::TimeChoice& time)
 {
-	if (!followed_)
+	if (!at_->followed)
 		return Nothing{}; // the session was opened at this time
-	const std::uint64_t grid = session_->stamp().grid;
-	if (Status moved = session_->goTo(time); !moved)
+	const std::uint64_t grid = at_->session->stamp().grid;
+	if (Status moved = at_->session->goTo(time); !moved)
 		return moved;
-	if (session_->stamp().grid != grid)
+	if (at_->session->stamp().grid != grid)
 		neighbors_.drop();
 	return Nothing{};
 }
@@ -77,12 +78,12 @@ Status RenderThread::followLook(const PictureRequest& wish)
 	Result<view::ResolvedLook> look = view::resolveLook(wish.spec);
 	if (!look)
 		return look.error();
-	if (painter_)
-		return painter_->setLook(std::move(*look));
-	Result<picture::Painter> painter = picture::Painter::create(*session_, std::move(*look));
+	if (at_->painter)
+		return at_->painter->setLook(std::move(*look));
+	Result<picture::Painter> painter = picture::Painter::create(*at_->session, std::move(*look));
 	if (!painter)
 		return painter.error();
-	painter_.emplace(std::move(*painter));
+	at_->painter.emplace(std::move(*painter));
 	return Nothing{};
 }
 
@@ -91,31 +92,33 @@ Status RenderThread::growAsWished(const PictureRequest& wish)
 {
 	view::ContourSpec options = wish.spec.look.contour;
 	options.opacity = 1.0; // a matter of drawing
-	if (grown_.cut == cut_ && grown_.options == options && grown_.pointed == wish.contour)
+	if (at_->grown.cut == at_->cut && at_->grown.options == options && at_->grown.pointed == wish.contour)
 		return Nothing{};
-	Result<session::Contours> contours =
-	    session::growContours(*session_, cut_->slice, cut_->sheets, options, session::Tell::nothing, wish.contour);
+	Result<session::Contours> contours = session::growContours(*at_->session, at_->cut->slice, at_->cut->sheets,
+	                                                           options, session::Tell::nothing, wish.contour);
 	if (!contours)
 		return contours.error();
-	grown_ = {cut_, options, wish.contour, std::move(*contours)};
+	at_->grown = {at_->cut, options, wish.contour, std::move(*contours)};
 	return Nothing{};
 }
 
 Result<double> RenderThread::cutAsWished()
 {
 	session::FrameRequest request{
-	    .wants = {.figures = session::Wants::Figures::for_picture, .contours = false, .warns = false}, .last = cut_};
-	request.expect = grid::hasNeighbors(session_->blocks()) ? session::Expect::more : session::Expect::first_of_many;
-	if (const Result<bool> needed = session_->needsNeighborsFor(request); needed && *needed)
+	    .wants = {.figures = session::Wants::Figures::for_picture, .contours = false, .warns = false},
+	    .last = at_->cut};
+	request.expect =
+	    grid::hasNeighbors(at_->session->blocks()) ? session::Expect::more : session::Expect::first_of_many;
+	if (const Result<bool> needed = at_->session->needsNeighborsFor(request); needed && *needed)
 		if (Status taken = takeNeighbors(true); !taken)
 			return taken.error();
 	const Moment start = std::chrono::steady_clock::now();
-	Result<std::shared_ptr<const session::Frame>> made = session_->frame(request);
+	Result<std::shared_ptr<const session::Frame>> made = at_->session->frame(request);
 	if (!made)
 		return made.error();
-	if (*made == cut_)
+	if (*made == at_->cut)
 		return 0.0;
-	cut_ = std::move(*made);
+	at_->cut = std::move(*made);
 	++cuts_;
 	return millisecondsSince(start);
 }

@@ -6,6 +6,7 @@ namespace vp::app
 
 void RenderThread::answer(Job& order)
 {
+	at_ = &finest_;
 	if (auto* picture = std::get_if<PictureJob>(&order))
 		return picture->take(tried([&] { return this->picture(*picture); }));
 	auto& slice = std::get<CutJob>(order);
@@ -19,10 +20,10 @@ Result<render::Picture> RenderThread::picture(const PictureJob& order)
 	if (Result<double> cut = cutAsWished(); !cut)
 		return cut.error();
 	if (order.empty)
-		return painter_->drawEmpty(cut_->slice, cut_->sheets);
+		return at_->painter->drawEmpty(at_->cut->slice, at_->cut->sheets);
 	if (Status grown = growAsWished(order.wish); !grown)
 		return grown.error();
-	return painter_->draw(cut_->slice, cut_->sheets, grown_.contours);
+	return at_->painter->draw(at_->cut->slice, at_->cut->sheets, at_->grown.contours);
 }
 
 Status RenderThread::writeSlice(const CutJob& order)
@@ -33,8 +34,8 @@ Status RenderThread::writeSlice(const CutJob& order)
 		return cut.error();
 	if (Status grown = growAsWished(order.wish); !grown)
 		return grown;
-	return write::writeSlice(session_->blocks(), session::exportedMeshes(cut_->sheets), order.file,
-	                         session::contourPieces(grown_.contours));
+	return write::writeSlice(at_->session->blocks(), session::exportedMeshes(at_->cut->sheets), order.file,
+	                         session::contourPieces(at_->grown.contours));
 }
 
 } // namespace vp::app

@@ -31,7 +31,8 @@ void showStatusLine(Desk& desk, const ScenePart& room)
 		ImGui::End();
 		return;
 	}
-	const std::string right = costs(*shown, desk.meter);
+	const std::string right =
+	    (shown->draft ? fmt::format("level {} while it moves   ", *shown->draft) : "") + costs(*shown, desk.meter);
 	const float end = ImGui::GetContentRegionMax().x;
 	const float right_at = end - ImGui::CalcTextSize(right.c_str()).x;
 	const std::string left = pointerLine(desk);
