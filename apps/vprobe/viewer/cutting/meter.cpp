@@ -67,6 +67,7 @@ void Meter::picture(const std::shared_ptr<const PresentedFrame>& shown, Moment n
 	const bool new_cut = !last_ || shown->cuts != last_->cuts;
 	last_ = shown;
 	draws_.add(shown->draw_ms);
+	drafts_ += shown->draft ? 1 : 0;
 	if (shown->wish.number != last_number_)
 		answers_.add(milliseconds(now - shown->wish.since));
 	last_number_ = shown->wish.number;
@@ -89,7 +90,8 @@ nlohmann::json Meter::json() const
 	        {"cut_ms", summary(cuts_)},
 	        {"draw_ms", summary(draws_)},
 	        {"input_to_picture_ms", summary(answers_)},
-	        {"new_cuts_per_second", cutsPerSecond()}};
+	        {"new_cuts_per_second", cutsPerSecond()},
+	        {"drafts", drafts_}};
 }
 
 } // namespace vp::app

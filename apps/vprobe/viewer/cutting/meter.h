@@ -63,6 +63,7 @@ private:
 	std::optional<Moment> last_cut_;
 	std::shared_ptr<const PresentedFrame> last_;
 	std::uint64_t last_number_ = 0;
+	std::size_t drafts_ = 0; // pictures of a coarser level
 };
 
 } // namespace vp::app
