@@ -75,11 +75,13 @@ Result<std::optional<render::ValueScale>> valueScale(const Session& session,
 	if (!looks_at_all)
 	{
 		scale.empty = false;
-		scale.title += ", of the parts shown";
-		note("`range`: '{}' stays in its file, so its colors reach over the values that are shown; `range_of` data "
-		     "reads "
-		     "all of it first",
-		     field->name);
+		if (!session.spec().look.range)
+		{
+			scale.title += ", of the parts shown";
+			note("`range`: '{}' stays in its file, so its colors reach over the values that are shown; `range_of` data "
+			     "reads all of it first",
+			     field->name);
+		}
 	}
 	else if (std::ranges::none_of(blocks.blocks, [](const grid::Block& block) { return block.curved != nullptr; }))
 		scale.reach = {lo, hi};

@@ -128,6 +128,15 @@ TEST_F(Render, RangesOfSlices)
 	EXPECT_TRUE(picture({"--symmetric", "--range", "-0.2", "0.4"}) == picture({"--range", "-0.2", "0.4"}));
 }
 
+TEST_F(Render, AFixedRangeDoesNotHangOnWhatIsShown)
+{
+	write("v.raw", std::string(32 * 32 * 32 * sizeof(float), '\0'));
+	const Arguments stays{"render",   path("v.raw"), "--raw-size", "32x32x32", "--raw-type", "float32",
+	                      "--memory", "64K",         "--size",     "64x64",    "-o",         path("out.png")};
+	EXPECT_TRUE(isDoneWithAWord(run(stays), {"--range", "values that are shown"}));
+	EXPECT_TRUE(isQuiet(run(stays + Arguments{"--range", "0", "1"})));
+}
+
 TEST_F(Render, ContextIsTranslucentAsAsked)
 {
 	const auto picture = [&](const Arguments& options)
