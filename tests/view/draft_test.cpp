@@ -75,7 +75,7 @@ TEST_F(Draft, ACoarserLevelIsCutUntilTheProbeRests)
 	    }));
 	settle();
 	EXPECT_EQ(difference(exact, rest(middle_)), 0.0);
-	// What does not move is not cut anew.
+	// A sheet that rests is not cut anew.
 	act("mesh");
 	settle();
 	act("mesh");

@@ -18,7 +18,7 @@ namespace
 constexpr std::chrono::milliseconds kStill{120};
 constexpr std::string_view kFrameSection = "frame";
 
-// Of a coarser level that is cut in place of the finest one, at most. It is in memory beside the parts of that one.
+// A coarser level takes no more, since it is in memory beside the parts of the finest one.
 constexpr std::uint64_t kDraftBytes = std::uint64_t(256) << 20;
 
 // Returns the size of the arrays that stay in their files.
@@ -246,7 +246,7 @@ Status RenderThread::show(const PictureRequest& wish)
 	shown.number = frames_;
 	shown.wish = wish;
 	shown.probe = view::makeProbe(wish.spec.probe, finest_.session->blocks().bounds());
-	PictureRequest own = wish; // of the level
+	PictureRequest own = wish; // as the level has it
 	if (at_ == &draft_)
 	{
 		shown.draft = draft_.number;

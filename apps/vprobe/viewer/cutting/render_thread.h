@@ -150,7 +150,7 @@ private:
 	struct Level
 	{
 		std::unique_ptr<session::Session> session;
-		int number = 0;        // of the level, of a draft alone
+		int number = 0;        // the level's, if it is a draft
 		double start_ms = 0.0; // where its timeline starts on the time axis of the window
 		std::optional<picture::Painter> painter;
 		std::optional<PictureRequest> followed; // the request that session and painter follow
@@ -163,7 +163,7 @@ private:
 	void work();
 	void answer(const PictureRequest& wish, bool smooth);
 	Status show(const PictureRequest& wish, bool smooth);
-	Status show(const PictureRequest& wish); // of the level that was chosen
+	Status show(const PictureRequest& wish); // by the level that was chosen
 	void install(std::unique_ptr<session::Session> session);
 	// Begins to open a coarser level, if there is one that helps.
 	void beginDraft();
@@ -200,10 +200,10 @@ private:
 	Level draft_; // without a session where there is none, or not yet
 	Level* at_ = &finest_;
 	Loader draft_loader_;
-	Backdrop backdrop_; // of the last picture of the finest level
+	Backdrop backdrop_; // the last picture's of the finest level
 	std::uint64_t cuts_ = 0;
 	int frames_ = 0;                  // begun so far
-	NeighborBuilder neighbors_;       // of the finest level
+	NeighborBuilder neighbors_;       // those of the finest level
 	std::atomic<bool> rough_ = false; // the picture gets all its samples once the probe has rested
 	Pictures pictures_;
 	Pictures pane_pictures_;
