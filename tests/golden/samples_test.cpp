@@ -11,8 +11,8 @@ namespace vp::render::test
 namespace
 {
 
-constexpr std::uint32_t kWidth = 160;
-constexpr std::uint32_t kHeight = 120;
+constexpr std::uint32_t kSmallWidth = 160;
+constexpr std::uint32_t kSmallHeight = 120;
 constexpr std::uint32_t kSide = 4; // side of a pixel, in pixels of the larger picture
 
 // The mean of kSide x kSide pixels.
@@ -36,7 +36,7 @@ class Samples : public DrawingTest
 protected:
 	Scene randomScene(std::mt19937& random)
 	{
-		Scene scene = bareScene(kWidth, kHeight, int(kSide * kSide));
+		Scene scene = bareScene(kSmallWidth, kSmallHeight, int(kSide * kSide));
 		for (const KnownSheet& known : randomProbe(random))
 		{
 			auto records = classify::recordsFromHost(classify::RecordPool::create(device()), known.records);
@@ -72,8 +72,8 @@ TEST_F(Samples, OfAPictureAreThePixelsOfALargerOne)
 		scene.look.width *= kSide;
 		scene.look.height *= kSide;
 		const Picture larger = draw(scene);
-		for (std::uint32_t y = 0; y < kHeight; ++y)
-			for (std::uint32_t x = 0; x < kWidth; ++x, ++pixels)
+		for (std::uint32_t y = 0; y < kSmallHeight; ++y)
+			for (std::uint32_t x = 0; x < kSmallWidth; ++x, ++pixels)
 			{
 				const double here = difference(meanOver(larger, x, y), picture.pixel(x, y));
 				sum += here;
