@@ -62,15 +62,17 @@ TEST_F(Draft, ACoarserLevelIsCutUntilTheProbeRests)
 {
 	writeImage();
 	open({path("image.zarr"), "--normal", "z", "--range", "0", "1000", "--memory", "40M"});
+	act("handles");
 	settle();
 	const vp::render::Picture exact = rest(middle_);
 	bool has_seen_draft = false;
+	int moves = 0;
 	EXPECT_TRUE(eventually(
 	    [&]
 	    {
-		    act("push_forward");
+		    act(++moves % 2 == 1 ? "push_forward" : "push_back");
 		    for (int look = 0; look < 20 && !has_seen_draft; ++look)
-			    has_seen_draft = difference(exact, seen(middle_)) == 1.0;
+			    has_seen_draft = difference(exact, seen(middle_)) > 0.9;
 		    return has_seen_draft;
 	    }));
 	settle();
