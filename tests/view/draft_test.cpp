@@ -16,7 +16,7 @@ namespace
 class Draft : public Desktop
 {
 protected:
-	const Area middle_{420, 320, 120, 60}; // within the sheet
+	const Area middle_{240, 280, 80, 60}; // within the sheet
 
 	// Every value of a level is its fill value, since no chunk of it was written.
 	void writeLevel(const std::string& name, int side, double value) const
