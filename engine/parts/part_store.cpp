@@ -1,6 +1,7 @@
 #include "parts/part_store.h"
 
 #include "base/bytes_read.h"
+#include "parts/stoppable.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -12,6 +13,9 @@ namespace vp::parts
 
 namespace
 {
+
+// Some 20 ms of reading from a disk. Less would leave cores idle between.
+constexpr std::size_t kBytesBetweenStops = std::size_t(32) << 20;
 
 std::uint64_t nextNumber()
 {
@@ -166,8 +170,22 @@ void PartStore::fetch(const Needs& needs) const
 				missing.push_back(number);
 		}
 	// More would push out the first of them before anybody has looked at it.
-	if (!missing.empty() && bytesOfAll(layout_, missing) <= KeptParts::ofProcess().budget())
+	if (missing.empty() || bytesOfAll(layout_, missing) > KeptParts::ofProcess().budget())
+		return;
+	const std::stop_token& stop = Stoppable::current();
+	if (!stop.stop_possible())
+	{
 		readSeveral(missing);
+		return;
+	}
+	const std::size_t some = std::max<std::size_t>(kBytesBetweenStops / layout_.bytesOf(0), 1);
+	for (std::size_t begin = 0; begin < missing.size(); begin += some)
+	{
+		if (stop.stop_requested())
+			throw Stopped();
+		const auto first = missing.begin() + static_cast<std::ptrdiff_t>(begin);
+		readSeveral({first, first + static_cast<std::ptrdiff_t>(std::min(some, missing.size() - begin))});
+	}
 }
 
 void PartStore::forEachRun(const Visit& visit, const std::function<bool()>& isEnough) const

@@ -56,7 +56,8 @@ public:
 	};
 
 	/// Reads the parts that are needed and not kept, on all cores, in the order of the file. Does nothing if they take
-	/// more memory than there is for parts: item() then reads each where it is used. Throws Unreadable.
+	/// more memory than there is for parts: item() then reads each where it is used. Throws Unreadable, or Stopped
+	/// (stoppable.h).
 	void fetch(const Needs& needs) const;
 
 	/// Visits every item of the array, part by part, on several threads. visit(first, bytes, count): `count` items from

@@ -1,6 +1,7 @@
 #include "session/frame.h"
 
 #include "base/frame_scope.h"
+#include "parts/stoppable.h"
 
 #include <algorithm>
 
@@ -65,6 +66,7 @@ try
 	    last->made_for.wants == request.wants)
 		return request.last;
 
+	const parts::Stoppable reading(stop);
 	grid::startCountingParts(blocks_);
 	auto frame = std::make_shared<Frame>();
 	frame->made_for = request;
@@ -96,6 +98,10 @@ try
 		frame->contours = std::move(*contours);
 	}
 	return std::shared_ptr<const Frame>(std::move(frame));
+}
+catch (const parts::Stopped&)
+{
+	return Error{ErrorKind::cancelled, "cutting was cancelled"};
 }
 catch (const parts::Unreadable& unreadable)
 {

@@ -1,5 +1,6 @@
 #include "parts/file_extents.h"
 #include "parts/part_store.h"
+#include "parts/stoppable.h"
 
 #include <gtest/gtest.h>
 
@@ -192,6 +193,39 @@ TEST_F(PartStoreTest, FetchesWhatIsNeededOnce)
 	store->fetch(needs);
 	EXPECT_EQ(numberAt(store->item((7 * 20 + 9) * 20 + 9)), (7 * 20 + 9) * 20 + 9);
 	EXPECT_EQ(store->use().read, 5u) << "they are kept";
+}
+
+// Its parts are zeros. Somebody asks for the end while the first is read.
+class StoppedSource : public Source
+{
+public:
+	explicit StoppedSource(std::stop_source& stop) : stop_(stop) {}
+	void announce(std::span<const std::uint64_t>) const override {}
+	void read(std::span<const Wanted>) const override { stop_.request_stop(); }
+
+private:
+	std::stop_source& stop_;
+};
+
+// Four parts of 32 MiB: the request is seen behind the first, which is kept.
+TEST_F(PartStoreTest, FetchingStopsBetweenParts)
+{
+	const Layout layout{{32 << 20, 4, 1}, {32 << 20, 1, 1}, 1, true};
+	std::stop_source stop;
+	const PartStore store(layout, std::make_unique<StoppedSource>(stop));
+	KeptParts::ofProcess().setBudget(std::uint64_t(256) << 20);
+	PartStore::Needs needs(store);
+	for (std::uint64_t row = 0; row < 4; ++row)
+		needs.add(row * layout.items[0]);
+	{
+		const Stoppable reading(stop.get_token());
+		EXPECT_THROW(store.fetch(needs), Stopped);
+		EXPECT_EQ(store.use().read, 1u);
+		EXPECT_EQ(store.use().kept, 1u);
+		EXPECT_THROW(store.fetch(needs), Stopped);
+	}
+	store.fetch(needs);
+	EXPECT_EQ(store.use().read, 4u) << "nobody asks for the end, and the first part is there";
 }
 
 TEST_F(PartStoreTest, KeepsNoMoreThanTheBudget)

@@ -50,6 +50,7 @@ RenderThread::~RenderThread()
 	{
 		const std::lock_guard lock(mutex_);
 		ends_ = true;
+		next_wish_.request_stop();
 	}
 	changed_.notify_all();
 	thread_.join();
@@ -62,6 +63,7 @@ void RenderThread::ask(PictureRequest wish)
 		if (wish_)
 			wish.since = std::min(wish.since, wish_->since); // its input is answered by this one's picture
 		wish_ = std::move(wish);
+		next_wish_.request_stop();
 	}
 	changed_.notify_all();
 }
@@ -169,6 +171,7 @@ void RenderThread::Level::take(std::unique_ptr<session::Session> other, WindowTi
 {
 	painter.reset();
 	cut.reset();
+	cut_for.reset();
 	grown = {};
 	followed.reset();
 	session = std::move(other);
@@ -209,16 +212,28 @@ bool RenderThread::wantsDraft(const PictureRequest& wish)
 		draft_.followed = PictureRequest{.spec = std::move(loaded->spec)};
 		draft_.number = draft_.followed->spec.input.level;
 	}
-	if (!draft_.session || !finest_.cut || !finest_.followed)
+	if (!draft_.session || !finest_.cut || !finest_.cut_for)
 		return false;
-	const view::ViewSpec& had = finest_.followed->spec;
+	const view::ViewSpec& had = finest_.cut_for->spec;
 	return !(had.probe == wish.spec.probe) || !(had.input.time == wish.spec.input.time);
+}
+
+std::stop_token RenderThread::stopByNextWish()
+{
+	const auto before = shown();
+	if (at_ == &draft_ || !before || !before->draft)
+		return {};
+	const std::lock_guard lock(mutex_);
+	next_wish_ = {};
+	if (wish_ || ends_)
+		next_wish_.request_stop();
+	return next_wish_.get_token();
 }
 
 void RenderThread::answer(const PictureRequest& wish, bool smooth)
 {
 	const Status done = tried([&] { return show(wish, smooth); });
-	if (done)
+	if (done || done.error().kind == ErrorKind::cancelled)
 		return;
 	const std::lock_guard lock(mutex_);
 	error_ = done.error();
@@ -257,7 +272,7 @@ Status RenderThread::show(const PictureRequest& wish)
 	}
 	if (Status followed = follow(own); !followed)
 		return followed;
-	Result<double> cut_ms = cutAsWished();
+	Result<double> cut_ms = cutAsWished(stopByNextWish());
 	if (!cut_ms)
 		return cut_ms.error();
 	shown.cut_ms = *cut_ms;

@@ -21,6 +21,7 @@
 #include <mutex>
 #include <new>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <variant>
@@ -155,6 +156,7 @@ private:
 		std::optional<picture::Painter> painter;
 		std::optional<PictureRequest> followed; // the request that session and painter follow
 		std::shared_ptr<const session::Frame> cut;
+		std::optional<PictureRequest> cut_for; // the request that the cut answers
 		Grown grown;
 
 		void take(std::unique_ptr<session::Session> other, WindowTimes& times);
@@ -177,7 +179,10 @@ private:
 	Status followAll(const PictureRequest& wish);
 	Status followLook(const PictureRequest& wish);
 	Status followTime(const read::TimeChoice& time);
-	Result<double> cutAsWished(); // returns milliseconds; 0 if the last cut was reused
+	// Returns milliseconds; 0 if the last cut was reused. A stop request ends it with ErrorKind::cancelled.
+	Result<double> cutAsWished(std::stop_token stop = {});
+	// Returns a token by which the next wish ends the exact cut that follows a draft.
+	std::stop_token stopByNextWish();
 	Status growAsWished(const PictureRequest& wish);
 	void answer(Job& order);
 	Result<render::Picture> picture(const PictureJob& order);
@@ -216,6 +221,7 @@ private:
 	std::unique_ptr<session::Session> next_session_;
 	std::shared_ptr<const PresentedFrame> shown_;
 	std::optional<Error> error_;
+	std::stop_source next_wish_; // ends the cut under way
 	bool busy_ = false;
 	bool ends_ = false;
 	std::thread thread_; // must be the last member

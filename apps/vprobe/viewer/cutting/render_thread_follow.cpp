@@ -102,7 +102,7 @@ Status RenderThread::growAsWished(const PictureRequest& wish)
 	return Nothing{};
 }
 
-Result<double> RenderThread::cutAsWished()
+Result<double> RenderThread::cutAsWished(std::stop_token stop)
 {
 	session::FrameRequest request{
 	    .wants = {.figures = session::Wants::Figures::for_picture, .contours = false, .warns = false},
@@ -113,9 +113,10 @@ Result<double> RenderThread::cutAsWished()
 		if (Status taken = takeNeighbors(true); !taken)
 			return taken.error();
 	const Moment start = std::chrono::steady_clock::now();
-	Result<std::shared_ptr<const session::Frame>> made = at_->session->frame(request);
+	Result<std::shared_ptr<const session::Frame>> made = at_->session->frame(request, std::move(stop));
 	if (!made)
 		return made.error();
+	at_->cut_for = at_->followed;
 	if (*made == at_->cut)
 		return 0.0;
 	at_->cut = std::move(*made);
