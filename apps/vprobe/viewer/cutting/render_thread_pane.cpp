@@ -72,11 +72,11 @@ Status RenderThread::drawPane(PresentedFrame& shown, const render::Scene& scene)
 	render::Scene pane = paneScene(scene, *sheet, size);
 	const render::Frame frame = render::pictureFrame(pane);
 	// It looks as the flat pictures of vprobe slice do.
-	const grid::Orientation orientation = picture::orientationOf(at_->session->blocks());
+	const grid::Orientation orientation = picture::orientationOf(finest_.session->blocks());
 	probe::Sheet facing = picture::facingSheet(sheet->sheet, orientation, shown.wish.spec.probe.up.has_value());
-	if (facing.window && probe::reachesAround(*facing.window, at_->session->blocks().bounds()))
+	if (facing.window && probe::reachesAround(*facing.window, finest_.session->blocks().bounds()))
 		facing.window.reset(); // its data fill the pane
-	pane.camera = interact::faceSheet({scene.camera, frame}, facing, flatExtent(at_->session->blocks(), sheet->sheet));
+	pane.camera = interact::faceSheet({scene.camera, frame}, facing, flatExtent(finest_.session->blocks(), sheet->sheet));
 	Result<std::shared_ptr<gpu::Image>> image = pane_pictures_.take(*device_, {size.width, size.height});
 	if (!image)
 		return image.error();
