@@ -30,7 +30,7 @@ std::string xml(const std::string& type, const std::string& contents)
 	       type + "></VTKFile>\n";
 }
 
-std::string errorOf(const std::string& file)
+std::string errorOfNested(const std::string& file)
 {
 	const auto set = readInputs({file}, {}, nullptr);
 	return set ? "" : set.error().message;
@@ -56,16 +56,16 @@ TEST(Nesting, OfXmlEndsWhereNoWriterGoes)
 	{
 		// Two elements are about them.
 		const std::string deep = writeNested(name, type, 255);
-		EXPECT_EQ(errorOf(deep), deep + ": truncated or damaged: its XML elements are nested more than 256 deep");
-		EXPECT_EQ(errorOf(writeNested(name, type, 254)).find("256"), std::string::npos) << name;
+		EXPECT_EQ(errorOfNested(deep), deep + ": truncated or damaged: its XML elements are nested more than 256 deep");
+		EXPECT_EQ(errorOfNested(writeNested(name, type, 254)).find("256"), std::string::npos) << name;
 	}
 	const std::string huge = writeNested("huge.vtu", "UnstructuredGrid", 1'000'000);
-	EXPECT_EQ(errorOf(huge), huge + ": truncated or damaged: its XML elements are nested more than 256 deep");
+	EXPECT_EQ(errorOfNested(huge), huge + ": truncated or damaged: its XML elements are nested more than 256 deep");
 	// The piece of an index, in a comment that looks as if elements ended.
 	const std::string piece = folder / "piece.vtu";
 	writeContents(piece, xml("UnstructuredGrid", nested(255, "<a><!-- </a> -->", "</a>")));
 	writeContents(folder / "index.pvtu", xml("PUnstructuredGrid", "<Piece Source=\"piece.vtu\"/>"));
-	EXPECT_NE(errorOf(folder / "index.pvtu").find("nested more than 256 deep"), std::string::npos);
+	EXPECT_NE(errorOfNested(folder / "index.pvtu").find("nested more than 256 deep"), std::string::npos);
 }
 
 TEST(Nesting, OfJsonEndsWhereNoWriterGoes)
@@ -78,7 +78,7 @@ TEST(Nesting, OfJsonEndsWhereNoWriterGoes)
 		const std::string lists = nested(count, "[", "]");
 		writeContents(folder / "a.vtu.series", "{\"files\": [], \"more\": " + lists + "}");
 		writeContents(folder / "a.zarr/.zattrs", "{\"more\": " + lists + "}");
-		return std::vector{errorOf(folder / "a.vtu.series"), errorOf(folder / "a.zarr")};
+		return std::vector{errorOfNested(folder / "a.vtu.series"), errorOfNested(folder / "a.zarr")};
 	};
 	for (const std::string& error : errors(256))
 		EXPECT_NE(error.find("its JSON is nested more than 256 deep"), std::string::npos) << error;

@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -40,10 +41,18 @@ arrays::UnpackPart fromZarr(const std::filesystem::path& file, std::istream& ind
 	const auto about = volumes::zarrArrayJson(folder);
 	if (!about)
 		throw Refusal("its array is not there any more");
-	const auto array = std::make_shared<const volumes::ZarrArray>(folder, folder.filename().string(), *about);
+	const auto array = std::make_shared<volumes::ZarrArray>(folder, folder.filename().string(), *about);
 	std::vector<std::size_t> front;
-	for (std::size_t index = 0; indices >> index;)
-		front.push_back(index);
+	std::string word;
+	for (std::vector<std::size_t> order; indices >> word;)
+		if (std::size_t index = 0; word == "turned")
+		{
+			while (order.size() < array->shape().size() && indices >> index)
+				order.push_back(index);
+			array->turn(order);
+		}
+		else
+			front.push_back(std::strtoull(word.c_str(), nullptr, 10));
 	return [array, front](const arrays::PackedPart& part, std::span<std::byte> to)
 	{ array->readPart(front, part.offset, to); };
 }
