@@ -51,6 +51,10 @@ VP_FORMAT("zarr", ".zarr", "Zarr versions 2 and 3, a folder, of the CF conventio
           "vprobe", folder,
           head.isFolder() && (head.holdsFile(".zgroup") || head.holdsFile(".zarray") || head.holdsFile("zarr.json")),
           more, volumes, Zarr)
+VP_FORMAT("n5", ".n5", "N5, a folder: a data set, or a group with levels s0, s1 ...",
+          "levels; packed blocks; spacing; units", "vprobe", folder,
+          (head.isFolder() && head.holdsFile("attributes.json")) || (head.ends({"attributes.json"}) && head.has("{")),
+          more, volumes, N5)
 VP_FORMAT("slices", "", "volume in slices: TIFF or PNG files of a folder, or of a pattern in quotes: 'slices/*.tif'",
           "one array; spacing; units", "libtiff, VTK", folder, head.isOfSlices(), base, volumes, Slices)
 VP_FORMAT("amrex", "", "AMReX and BoxLib plot files, a folder", "AMR levels; values at cells; time", "vprobe", folder,

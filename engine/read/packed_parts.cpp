@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <string_view>
 
 #include <fcntl.h>
 
@@ -15,10 +17,13 @@ namespace vp::read
 namespace
 {
 
-// A reader begins with the name of its format.
+constexpr std::array<std::string_view, 3> kReaders = {"hdf5", "tiff", "zarr"};
+
+// The format whose program unpacks. That of VTKHDF knows HDF5, whatever format the file has.
 std::string formatOf(const std::string& reader)
 {
-	return reader.empty() ? "vtkhdf" : reader.substr(0, reader.find(' '));
+	const std::string name = reader.substr(0, reader.find(' '));
+	return name.empty() || name == "hdf5" ? "vtkhdf" : name;
 }
 
 // The input of Zarr is a folder, and the file is one in it.
@@ -34,6 +39,12 @@ PackedParts::PackedParts(std::shared_ptr<const parts::OpenFile> file, const part
       unpacker_(inputOf(*file_, place_.reader), formatOf(place_.reader), layout.bytesOf(0),
                 place_.reader.empty() ? place_.filters : place_.reader)
 {
+}
+
+bool PackedParts::knows(const std::string& reader)
+{
+	return std::ranges::any_of(kReaders, [&](std::string_view name)
+	                           { return reader.starts_with(name) && reader.substr(name.size(), 1) == " "; });
 }
 
 bool PackedParts::fits(const parts::Layout& layout, const Place& place, std::uint64_t file_size)

@@ -32,6 +32,8 @@ public:
 
 	PackedParts(std::shared_ptr<const parts::OpenFile> file, const parts::Layout& layout, Place place);
 
+	// Returns true if there is a program that finds parts so.
+	static bool knows(const std::string& reader);
 	// Returns true if all parts lie within a file of this size.
 	static bool fits(const parts::Layout& layout, const Place& place, std::uint64_t file_size);
 

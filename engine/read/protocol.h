@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 
 namespace vp::read
@@ -47,9 +48,9 @@ namespace vp::read
 // for each part, ~0 for one that was never written, and "fill": array of uint8 with an item for those}. If
 // parts are packed it has "filters" (hdf5::Filters::text()), and for each part as array of uint64 "sizes", its bytes in
 // the file, and "left_out_filters", where bit n is set if it was not packed by filter n. Or it has "reader" in
-// place of all these: then the reader finds parts by their numbers. The manifest
-// has "length_units" and "time_units" if the file has them; "sandbox" says what holds the child ("landlock 7,
-// seccomp"); "imaging" is {"orientation", "gray", "labels", "label_names": [[value, name]..], "window"}, each if the
+// place of all these: a name ("hdf5", "tiff", "zarr") and words for it. Then the reader finds parts by their numbers.
+// The manifest has "length_units" and "time_units" if the file has them; "sandbox" says what holds the child ("landlock
+// 7, seccomp"); "imaging" is {"orientation", "gray", "labels", "label_names": [[value, name]..], "window"}, each if the
 // file says it (grid/imaging.h).
 //
 // With UNPACK the child stays and unpacks parts of an array that stays in FILE, until its standard input ends. UNPACK
@@ -64,6 +65,8 @@ constexpr int kCellsFd = 5;
 constexpr int kCountsFd = 6; // the child's own: /proc/self/io, which its sandbox does not let it open later
 constexpr int kLifeFd = 7;   // a pipe of which the parent holds the other end; the child is killed when that closes
 constexpr std::size_t kArrayAlignment = 64;
+// A part of an array that stays in the file may not be larger.
+constexpr std::uint64_t kMaxPartBytes = std::uint64_t(1) << 28;
 
 // If a child gives up, it ends with one of these exit codes, and its last line on standard error starts with this mark.
 constexpr int kRefusedExitCode = 2;   // the input cannot be used

@@ -5,6 +5,7 @@
 #include "read/formats.h"
 #include "read/manifest_values.h"
 #include "read/packed_parts.h"
+#include "read/protocol.h"
 
 #include <nlohmann/json.hpp>
 
@@ -21,7 +22,6 @@ namespace fs = std::filesystem;
 namespace
 {
 
-constexpr std::uint64_t kMaxPartBytes = std::uint64_t(1) << 28;
 constexpr std::uint64_t kMaxParts = std::uint64_t(1) << 28; // each has a mark in memory
 
 std::array<std::uint32_t, 3> pointsOf(const decltype(CheckedBlock::mesh)& mesh)
@@ -115,8 +115,7 @@ std::shared_ptr<const parts::PartStore> storedArray(const json& place, const gri
 	{
 		PackedParts::Place where{.number_bytes = number_bytes, .swaps = swaps};
 		where.reader = place.at("reader").get<std::string>();
-		const bool is_known = where.reader.starts_with("zarr ") || where.reader.starts_with("tiff ");
-		if (!is_known || where.reader.find('\0') != std::string::npos)
+		if (!PackedParts::knows(where.reader) || where.reader.find('\0') != std::string::npos)
 			throw Unusable("an array stays where nobody can read it");
 		return std::make_shared<parts::PartStore>(layout,
 		                                          std::make_unique<PackedParts>(file, layout, std::move(where)));

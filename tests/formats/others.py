@@ -29,9 +29,12 @@ import far
 import labels
 import meshes
 import models
+import n5
+import newest
 import odd
 import parts
 import pictures
+import scans
 import stacked
 import stacks
 import steps
@@ -43,7 +46,7 @@ def chosen_cases():
     cases = (meshes.CASES + volumes.CASES + boxes.CASES + codes.CASES + odd.CASES + steps.CASES + exodus.CASES +
              conversion.CASES + conventions.CASES + far.CASES + stacks.CASES + curved.CASES +
              ensight.CASES + models.CASES + damage.CASES + pictures.CASES + labels.CASES + everyday.CASES +
-             parts.CASES + stacked.CASES + zarr3.CASES)
+             parts.CASES + newest.CASES + scans.CASES + stacked.CASES + zarr3.CASES + n5.CASES)
     wanted = sys.argv[2] if len(sys.argv) > 2 else '1/1'
     part = re.fullmatch(r'(\d+)/(\d+)', wanted)
     if not part:

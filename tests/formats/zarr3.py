@@ -344,8 +344,6 @@ def damaged_zarr3(folder):
         refused(folder / name, f'has {2**30} {word}')
     group3(folder / 'plate', {'ome': {'plate': {}}})
     refused(folder / 'plate', 'a plate', 'A/1/0')
-    group3(folder / 'turned', ome_attributes(axes[::-1], [('0', [1, 1, 1], None)]))
-    refused(folder / 'turned', 'order x, y, z')
 
 
 ZARRITA = '''

@@ -26,7 +26,8 @@ DataSet describe(const std::string& name, const fs::path& folder)
 	set.name = name;
 	set.folder = folder;
 	for (const auto& entry : fs::recursive_directory_iterator(folder))
-		if (entry.is_directory() && entry.path().extension() == ".zarr")
+		if (const fs::path ending = entry.path().extension();
+		    entry.is_directory() && (ending == ".zarr" || ending == ".n5"))
 			set.inputs.push_back(fs::relative(entry.path(), folder));
 		else if (entry.is_regular_file())
 		{

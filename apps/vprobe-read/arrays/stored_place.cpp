@@ -20,6 +20,21 @@ StoredPlace storedRows(const std::string& file, std::uint64_t offset, const std:
 	return {.file = file, .part = {items[0], rows, 1}, .offset = offset, .swaps = swaps};
 }
 
+StoredPlace storedLayers(const std::string& file, const std::vector<std::uint64_t>& layers,
+                         const std::array<std::uint64_t, 3>& items, std::uint64_t item_bytes, bool swaps)
+{
+	StoredPlace place = storedRows(file, 0, items, item_bytes, swaps);
+	std::uint64_t& rows = place.part[1];
+	while (items[1] % rows != 0) // all parts are of one size
+		--rows;
+	place.offsets.reserve(layers.size() * (items[1] / rows));
+	for (const std::uint64_t layer : layers)
+		for (std::uint64_t row = 0; row < items[1]; row += rows)
+			place.offsets.push_back(layer + row * items[0] * item_bytes);
+	place.fill.assign(item_bytes, '\0');
+	return place;
+}
+
 json describeStored(const StoredPlace& place, Writer& writer)
 {
 	json described = {{"file", place.file}, {"part", place.part}, {"swaps", place.swaps}};

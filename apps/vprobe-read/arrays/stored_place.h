@@ -31,6 +31,10 @@ struct StoredPlace
 StoredPlace storedRows(const std::string& file, std::uint64_t offset, const std::array<std::uint64_t, 3>& items,
                        std::uint64_t item_bytes, bool swaps);
 
+// Returns the place of an array whose layers lie anywhere, each in one piece. Its parts are rows, too.
+StoredPlace storedLayers(const std::string& file, const std::vector<std::uint64_t>& layers,
+                         const std::array<std::uint64_t, 3>& items, std::uint64_t item_bytes, bool swaps);
+
 // Describes such a place for the manifest.
 nlohmann::json describeStored(const StoredPlace& place, Writer& writer);
 

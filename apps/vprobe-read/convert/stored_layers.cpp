@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <filesystem>
 
 namespace vp::reader::convert
 {
@@ -17,10 +16,8 @@ StoredLayers::StoredLayers(const arrays::StoredPlace& place, const arrays::Value
       item_bytes_(layout.components * byteSize(layout.type)), number_bytes_(byteSize(layout.type)),
       layer_bytes_(items_[0] * items_[1] * item_bytes_), threads_(threads)
 {
-	if (!place.reader.empty())
-		unpack_ = arrays::unpackerOf(std::filesystem::path(place.file).parent_path().string(), place.reader);
-	else if (!place.offsets.empty())
-		unpack_ = arrays::unpackerOf(place.file, place.filters);
+	if (!place.reader.empty() || !place.offsets.empty())
+		unpack_ = arrays::unpackerOf(place.file, place.reader.empty() ? place.filters : place.reader);
 }
 
 void StoredLayers::read(std::uint64_t first, std::span<std::byte> to) const

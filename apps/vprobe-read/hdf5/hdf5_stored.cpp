@@ -4,26 +4,21 @@
 #include "hdf5_filters.h"
 #include "hdf5_handle.h"
 #include "hdf5_parts.h"
+#include "hdf5_set.h"
+#include "read/protocol.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace vp::reader::hdf5
 {
 
 namespace
 {
-
-using Sides = std::vector<std::uint64_t>;
-
-Sides sidesOfSpace(hid_t set)
-{
-	const Handle space(H5Dget_space(set), H5Sclose);
-	const int rank = space < 0 ? -1 : H5Sget_simple_extent_ndims(space);
-	std::vector<hsize_t> sides(static_cast<std::size_t>(std::max(rank, 0)));
-	if (rank > 0)
-		H5Sget_simple_extent_dims(space, sides.data(), nullptr);
-	return {sides.begin(), sides.end()};
-}
 
 // Whether the bytes of numbers are in the other order; nothing if they are not simply the numbers of a type in memory.
 std::optional<bool> swapsBytes(hid_t set, grid::NumberType type)
@@ -37,18 +32,52 @@ std::optional<bool> swapsBytes(hid_t set, grid::NumberType type)
 	return H5Tequal(given, swapped) > 0 ? std::optional(true) : std::nullopt;
 }
 
-// The bytes of an item that was never written, as the file would have them.
-std::string fillOf(hid_t set, hid_t properties, std::uint64_t components)
+// The file that holds the set, which is another one where a link leads there.
+std::string fileOfSet(hid_t set, const std::string& name_of_file)
 {
-	const Handle type(H5Dget_type(set), H5Tclose);
-	std::string number(H5Tget_size(type), '\0');
-	H5D_fill_value_t kind = H5D_FILL_VALUE_UNDEFINED;
-	if (H5Pfill_value_defined(properties, &kind) >= 0 && kind != H5D_FILL_VALUE_UNDEFINED)
-		H5Pget_fill_value(properties, type, number.data());
-	std::string item;
-	for (std::uint64_t c = 0; c < components; ++c)
-		item += number;
-	return item;
+	const Handle opened(H5Iget_file_id(set), H5Fclose);
+	std::array<char, 4096> name = {};
+	const ssize_t length = opened < 0 ? -1 : H5Fget_name(opened, name.data(), name.size());
+	return length > 0 && length < static_cast<ssize_t>(name.size()) ? name.data() : name_of_file;
+}
+
+// Notes for each part the chunk that holds it. Returns nothing if chunks are of no part.
+std::optional<arrays::StoredPlace> placeChunks(arrays::StoredPlace place, const std::vector<Chunk>& chunks,
+                                               const Filters& filters, const arrays::ValueLayout& layout,
+                                               const std::vector<std::uint64_t>& front)
+{
+	if (chunks.empty())
+		return std::nullopt;
+	std::array<std::uint64_t, 3> along;
+	for (std::size_t axis = 0; axis < 3; ++axis)
+		along[axis] = (layout.points[axis] + place.part[axis] - 1) / place.part[axis];
+	const std::uint64_t count = along[0] * along[1] * along[2];
+	place.offsets.assign(count, ~std::uint64_t(0));
+	place.filters = filters.text();
+	if (!filters.isEmpty())
+	{
+		place.sizes.assign(count, 0);
+		place.left_out.assign(count, 0);
+	}
+	for (const Chunk& each : chunks)
+	{
+		if (!std::equal(front.begin(), front.end(), each.first.begin()))
+			continue;
+		std::uint64_t number = 0;
+		for (std::size_t axis = 3; axis-- > 0;) // k, j, i: the first side is the slowest
+		{
+			const std::uint64_t at = each.first[front.size() + 2 - axis] / place.part[axis];
+			if (at >= along[axis])
+				return std::nullopt; // the set was made smaller later
+			number = number * along[axis] + at;
+		}
+		place.offsets[number] = each.offset;
+		if (filters.isEmpty())
+			continue;
+		place.sizes[number] = each.bytes;
+		place.left_out[number] = each.left_out_filters;
+	}
+	return place;
 }
 
 } // namespace
@@ -63,7 +92,7 @@ std::optional<arrays::StoredPlace> storedPlaceOf(hid_t file, const std::string& 
 	if (!filters || H5Pget_external_count(properties) > 0)
 		return std::nullopt;
 	const std::optional<bool> swaps = swapsBytes(set, layout.type);
-	const Sides sides = sidesOfSpace(set);
+	const std::vector<std::uint64_t> sides = sidesOfSet(set);
 	const std::size_t own = front.size();
 	const bool has_components = sides.size() == own + 4;
 	if (!swaps || (sides.size() != own + 3 && !has_components) || (layout.components != 1 && !has_components))
@@ -78,58 +107,38 @@ std::optional<arrays::StoredPlace> storedPlaceOf(hid_t file, const std::string& 
 		return std::nullopt;
 	arrays::ValueLayout bytes = layout;
 	bytes.is_big_endian = *swaps;
-	const H5D_layout_t kind = H5Pget_layout(properties);
-	const haddr_t begin = kind == H5D_CONTIGUOUS ? H5Dget_offset(set) : HADDR_UNDEF;
-	if (begin != HADDR_UNDEF)
+	if (H5Pget_layout(properties) == H5D_CONTIGUOUS)
 	{
+		const haddr_t begin = H5Dget_offset(set);
 		std::uint64_t before = 0;
 		for (std::size_t i = 0; i < own; ++i)
 			before = before * sides[i] + front[i];
-		return arrays::storedRows(name_of_file, begin + before * layout.byteCount(), bytes);
+		return begin == HADDR_UNDEF ? std::nullopt
+		                            : std::optional(arrays::storedRows(fileOfSet(set, name_of_file),
+		                                                               begin + before * layout.byteCount(), bytes));
 	}
-	if (kind != H5D_CHUNKED)
-		return std::nullopt;
-	std::vector<hsize_t> chunk(sides.size());
-	if (H5Pget_chunk(properties, static_cast<int>(chunk.size()), chunk.data()) != static_cast<int>(chunk.size()) ||
-	    !std::all_of(chunk.begin(), chunk.begin() + static_cast<long>(own), [](hsize_t n) { return n == 1; }) ||
+	const std::vector<std::uint64_t> chunk = chunkSidesOf(properties, sides.size());
+	std::uint64_t chunk_bytes = byteSize(layout.type);
+	for (const std::uint64_t side : chunk)
+		if (__builtin_mul_overflow(chunk_bytes, side, &chunk_bytes))
+			return std::nullopt;
+	if (chunk.empty() || chunk_bytes > read::kMaxPartBytes ||
+	    !std::all_of(chunk.begin(), chunk.begin() + static_cast<long>(own), [](auto n) { return n == 1; }) ||
 	    (has_components && chunk.back() != layout.components))
 		return std::nullopt;
-	const auto chunks = chunksOf(set, name_of_file);
-	if (!chunks || chunks->empty())
-		return std::nullopt;
-	arrays::StoredPlace place{.file = name_of_file,
+	arrays::StoredPlace place{.file = fileOfSet(set, name_of_file),
 	                          .part = {chunk[own + 2], chunk[own + 1], chunk[own]},
-	                          .fill = fillOf(set, properties, layout.components),
 	                          .swaps = *swaps && byteSize(layout.type) > 1};
-	std::array<std::uint64_t, 3> along;
-	for (std::size_t axis = 0; axis < 3; ++axis)
-		along[axis] = (layout.points[axis] + place.part[axis] - 1) / place.part[axis];
-	const std::uint64_t count = along[0] * along[1] * along[2];
-	place.offsets.assign(count, ~std::uint64_t(0));
-	place.filters = filters->text();
-	if (!filters->isEmpty())
+	if (const auto chunks = chunksOf(set, place.file))
 	{
-		place.sizes.assign(count, 0);
-		place.left_out.assign(count, 0);
+		place.fill = fillOf(set, properties, layout.components);
+		return placeChunks(std::move(place), *chunks, *filters, layout, front);
 	}
-	for (const Chunk& each : *chunks)
-	{
-		if (!std::equal(front.begin(), front.end(), each.first.begin()))
-			continue;
-		std::uint64_t number = 0;
-		for (std::size_t axis = 3; axis-- > 0;) // k, j, i: the first side is the slowest
-		{
-			const std::uint64_t at = each.first[own + 2 - axis] / place.part[axis];
-			if (at >= along[axis])
-				return std::nullopt; // the set was made smaller later
-			number = number * along[axis] + at;
-		}
-		place.offsets[number] = each.offset;
-		if (filters->isEmpty())
-			continue;
-		place.sizes[number] = each.bytes;
-		place.left_out[number] = each.left_out_filters;
-	}
+	H5D_space_status_t written = H5D_SPACE_STATUS_ERROR;
+	if (H5Dget_space_status(set, &written) < 0 || written == H5D_SPACE_STATUS_NOT_ALLOCATED)
+		return std::nullopt;
+	place.file = name_of_file; // links are followed from there
+	place.reader = fmt::format("hdf5 {} {}{}{}", own, fmt::join(front, " "), own > 0 ? " " : "", path);
 	return place;
 }
 

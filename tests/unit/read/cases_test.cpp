@@ -311,12 +311,14 @@ TEST(Files, OfOtherProgramsNameTheRemedy)
 TEST(Folders, OfZarrThatCannotBeFollowedAreTold)
 {
 	const TemporaryFolder folder;
-	for (const std::string name : {"three", "image", "array"})
+	for (const std::string name : {"three", "image", "array", "five"})
 		std::filesystem::create_directories(folder / name);
 	writeContents(folder / "three/zarr.json", "{\"zarr_format\": 3, \"node_type\": \"array\"}");
 	writeContents(folder / "image/.zgroup", "{\"zarr_format\": 2}");
 	writeContents(folder / "image/.zattrs", "{\"multiscales\": [{}]}");
 	writeContents(folder / "array/.zarray", "{\"zarr_format\": 2}");
+	writeContents(folder / "five/attributes.json", "{\"n5\": \"2.5.1\"}");
+	EXPECT_NE(refusal(folder / "five").find("a group of N5"), std::string::npos);
 	EXPECT_NE(refusal(folder / "three").find("the JSON of three"), std::string::npos);
 	EXPECT_NE(refusal(folder / "image").find("no levels"), std::string::npos);
 	EXPECT_NE(refusal(folder / "array").find("the JSON of array"), std::string::npos);

@@ -333,6 +333,31 @@ void writeOmeZarr(const std::string& path)
 	writeContents(path + "/0/c/0/0/0", shard);
 }
 
+// N5: two blocks, each behind its head, all numbers with their first byte highest, and the fastest side first.
+void writeN5(const std::string& path)
+{
+	std::filesystem::create_directories(path + "/0/0");
+	writeContents(path + "/attributes.json", R"({"n5": "2.5.1", "dimensions": [5, 4, 6], "blockSize": [5, 4, 3],
+"dataType": "float64", "compression": {"type": "raw"}})");
+	const auto addTurned = [](std::string& to, auto number)
+	{
+		std::string bytes;
+		addBytes(bytes, number);
+		to.append(bytes.rbegin(), bytes.rend());
+	};
+	std::array<std::string, 2> blocks;
+	for (std::string& block : blocks)
+	{
+		addTurned(block, std::uint16_t(0));
+		addTurned(block, std::uint16_t(3));
+		for (const std::uint32_t side : {5u, 4u, 3u})
+			addTurned(block, side);
+	}
+	eachSamplePoint([&](const Vec3& at, int) { addTurned(blocks[at.z < 3.0 ? 0 : 1], sampleValue(at)); });
+	writeContents(path + "/0/0/0", blocks[0]);
+	writeContents(path + "/0/0/1", blocks[1]);
+}
+
 } // namespace
 
 std::vector<SampleFile> containerSamples()
@@ -347,5 +372,6 @@ std::vector<SampleFile> containerSamples()
 	    {"prisms.nc", writeMpas, "unstructured", kSampleCellCount, kSamplePointCount, true, "", false},
 	    {"group.zarr", writeZarr, "image", kSampleCellCount, kSamplePointCount, false, "group.zarr/f/1.0.0"},
 	    {"levels.zarr", writeOmeZarr, "image", kSampleCellCount, kSamplePointCount, false, "levels.zarr/0/c/0/0/0"},
+	    {"blocks.n5", writeN5, "image", kSampleCellCount, kSamplePointCount, false, "blocks.n5/0/0/1"},
 	};
 }

@@ -153,6 +153,23 @@ TEST_F(StoredArray, MustHavePartsThatCanBe)
 	expectRefused("chunks larger than there may be");
 }
 
+TEST_F(StoredArray, IsFoundByReadersThatAreKnown)
+{
+	place_.erase("offset");
+	place_["part"] = {4, 2, 2};
+	for (const char* reader : {"hdf5 0 /f", "tiff 0 0", "zarr "})
+	{
+		place_["reader"] = reader;
+		EXPECT_TRUE(check()) << reader; // which is not started before somebody asks for a value
+	}
+	for (const std::string& reader : {std::string("hdf50 0 /f"), std::string("hdf5"), std::string("n5 0"),
+	                                  std::string(), std::string("hdf5 0 /f\0", 10)})
+	{
+		place_["reader"] = reader;
+		expectRefused(reader.c_str());
+	}
+}
+
 TEST_F(StoredArray, MustBeOfALatticeWithStraightAxes)
 {
 	kind_ = "curvilinear";

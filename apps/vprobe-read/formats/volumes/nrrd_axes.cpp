@@ -149,6 +149,35 @@ void takeSpacings(const Nrrd& nrrd, const NrrdAxes& axes, NrrdPlace& place)
 
 } // namespace
 
+grid::NumberType typeOfNrrd(int type)
+{
+	switch (type)
+	{
+	case nrrdTypeChar:
+		return grid::NumberType::int8;
+	case nrrdTypeUChar:
+		return grid::NumberType::uint8;
+	case nrrdTypeShort:
+		return grid::NumberType::int16;
+	case nrrdTypeUShort:
+		return grid::NumberType::uint16;
+	case nrrdTypeInt:
+		return grid::NumberType::int32;
+	case nrrdTypeUInt:
+		return grid::NumberType::uint32;
+	case nrrdTypeLLong:
+		return grid::NumberType::int64;
+	case nrrdTypeULLong:
+		return grid::NumberType::uint64;
+	case nrrdTypeFloat:
+		return grid::NumberType::float32;
+	case nrrdTypeDouble:
+		return grid::NumberType::float64;
+	default:
+		throw Refusal("a NRRD file of values of type block, which have no number");
+	}
+}
+
 NrrdAxes nrrdAxes(const Nrrd& nrrd)
 {
 	bool has_directions = false;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "grid/number_types.h"
+
 #include <array>
 #include <optional>
 #include <string>
@@ -18,6 +20,9 @@ struct NrrdAxes
 	std::array<unsigned, 3> space{};
 	std::optional<unsigned> time;
 };
+
+// Throws a Refusal if the values are no numbers.
+grid::NumberType typeOfNrrd(int type);
 
 // Throws a Refusal unless three axes are of space.
 NrrdAxes nrrdAxes(const Nrrd& nrrd);

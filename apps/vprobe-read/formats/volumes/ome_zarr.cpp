@@ -5,12 +5,11 @@
 #include "vprobe-read/base/refusal.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <functional>
+#include <numeric>
 
 namespace vp::reader::volumes
 {
@@ -96,13 +95,6 @@ bool transform(OmeZarr::Level& level, const json& transformations)
 	return is_placed;
 }
 
-// A coarser level whose place is not told has the outer edges of the finest: its values are means of several.
-void alignEdges(OmeZarr::Level& level, const OmeZarr::Level& finest, std::size_t space)
-{
-	for (std::size_t i = level.scale.size() - space; i < level.scale.size(); ++i)
-		level.translation[i] = finest.translation[i] + (level.scale[i] - finest.scale[i]) / 2.0;
-}
-
 // A path within the group: the files of others are none of an image's.
 std::string pathOf(const json& dataset)
 {
@@ -141,33 +133,58 @@ std::optional<OmeZarr> OmeZarr::of(const ZarrGroup& group)
 	OmeZarr image;
 	image.images = images.size();
 	image.axes = axesOf(listIn(images[0], "axes"));
-	const std::size_t space = image.spaceAxes();
-	if (space < 2 || space > 3)
-		throw Refusal(fmt::format("its image has {} axes in space where 2 or 3 are wanted", space));
-	std::string names;
-	for (std::size_t axis = image.axes.size() - space; axis < image.axes.size(); ++axis)
-		names += image.axes[axis].name;
-	std::string sorted = names;
-	std::ranges::sort(sorted);
-	if (isOneOf(sorted, {"xy", "xyz"}) && !std::ranges::is_sorted(names, std::greater<>()))
-		throw Refusal(fmt::format("its axes are in the order {}, which is not read; write them as z, y, x",
-		                          fmt::join(names, ", ")));
 	for (const json& dataset : listIn(images[0], "datasets"))
 	{
 		Level level{pathOf(dataset), std::vector<double>(image.axes.size(), 1.0),
 		            std::vector<double>(image.axes.size(), 0.0)};
 		const bool is_placed = transform(level, listIn(dataset, "coordinateTransformations"));
 		if (!is_placed && !image.levels.empty())
-			alignEdges(level, image.levels.front(), space);
+			image.alignEdges(level);
 		image.levels.push_back(level);
 	}
 	for (Level& level : image.levels)
 		transform(level, listIn(images[0], "coordinateTransformations"));
 	if (image.levels.empty())
 		throw attributesNotFollowed("no levels");
+	image.orderAxes();
 	takeChannels(image, listIn(about.value("omero", json()), "channels"));
 	image.labels = about.contains("image-label");
 	return image;
+}
+
+void OmeZarr::alignEdges(Level& level) const
+{
+	for (std::size_t i = 0; i < axes.size(); ++i)
+		if (axes[i].type == "space")
+			level.translation[i] = levels[0].translation[i] + (level.scale[i] - levels[0].scale[i]) / 2.0;
+}
+
+void OmeZarr::orderAxes()
+{
+	const std::size_t space = spaceAxes();
+	if (space < 2 || space > 3)
+		throw Refusal(fmt::format("its image has {} axes in space where 2 or 3 are wanted", space));
+	order.resize(axes.size());
+	std::iota(order.begin(), order.end(), 0);
+	std::stable_partition(order.begin(), order.end(), [&](std::size_t axis) { return axes[axis].type != "space"; });
+	const auto first = order.end() - static_cast<std::ptrdiff_t>(space);
+	// Other names say nothing of the order.
+	const auto isNamed = [&](std::size_t axis) { return isOneOf(axes[axis].name, {"x", "y", "z"}); };
+	if (std::all_of(first, order.end(), isNamed))
+		std::stable_sort(first, order.end(), [&](std::size_t a, std::size_t b) { return axes[a].name > axes[b].name; });
+	const auto turn = [&](auto& given)
+	{
+		auto turned = given;
+		for (std::size_t i = 0; i < order.size(); ++i)
+			turned[i] = given[order[i]];
+		given = std::move(turned);
+	};
+	turn(axes);
+	for (Level& level : levels)
+	{
+		turn(level.scale);
+		turn(level.translation);
+	}
 }
 
 std::optional<std::size_t> OmeZarr::axisOf(const std::string& type) const
@@ -178,8 +195,8 @@ std::optional<std::size_t> OmeZarr::axisOf(const std::string& type) const
 
 std::size_t OmeZarr::spaceAxes() const
 {
-	const auto last = std::find_if(axes.rbegin(), axes.rend(), [](const Axis& axis) { return axis.type != "space"; });
-	return static_cast<std::size_t>(last - axes.rbegin());
+	const auto count = std::count_if(axes.begin(), axes.end(), [](const Axis& axis) { return axis.type == "space"; });
+	return static_cast<std::size_t>(count);
 }
 
 } // namespace vp::reader::volumes

@@ -28,7 +28,8 @@ struct OmeZarr
 		std::vector<double> scale, translation; // along each axis
 	};
 
-	std::vector<Axis> axes;
+	std::vector<Axis> axes;                          // those in space are the last ones: z, y, x
+	std::vector<std::size_t> order;                  // for each axis which side of the arrays it is
 	std::vector<Level> levels;                       // the finest first
 	std::vector<std::string> channels;               // labels; mostly fewer than there are, or none
 	std::optional<std::pair<double, double>> window; // shows the first channel from black to white
@@ -38,9 +39,14 @@ struct OmeZarr
 	// Returns the first image of a group; nothing if it has none. Throws a Refusal if it cannot be followed.
 	static std::optional<OmeZarr> of(const ZarrGroup& group);
 
+	// Puts the axes into their order. Throws a Refusal unless 2 or 3 of them are in space.
+	void orderAxes();
+	// Gives a coarser level whose place is not told the outer edges of the finest one: its values are means of several.
+	void alignEdges(Level& level) const;
+
 	// Returns the place of the axis with such a type; nothing if there is none.
 	std::optional<std::size_t> axisOf(const std::string& type) const;
-	// Returns the number of the axes in space. They are the last ones.
+	// Returns the number of the axes in space.
 	std::size_t spaceAxes() const;
 };
 

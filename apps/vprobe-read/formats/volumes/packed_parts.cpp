@@ -3,11 +3,13 @@
 #include "tiff_volume.h"
 #include "vprobe-read/base/mapped_text.h"
 #include "vprobe-read/base/refusal.h"
+#include "vprobe-read/hdf5/hdf5_chunk_reader.h"
 #include "vprobe-read/hdf5/hdf5_filters.h"
 #include "zarr_array.h"
 
 #include <nlohmann/json.hpp>
 
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -32,15 +34,25 @@ arrays::UnpackPart fromChunks(const std::string& name, const std::string& filter
 	};
 }
 
-arrays::UnpackPart fromZarr(const std::filesystem::path& folder, std::istream& indices)
+// file: the array's JSON, or the folder that it is in.
+arrays::UnpackPart fromZarr(const std::filesystem::path& file, std::istream& indices)
 {
+	const std::filesystem::path folder = std::filesystem::is_directory(file) ? file : file.parent_path();
 	const auto about = volumes::zarrArrayJson(folder);
 	if (!about)
 		throw Refusal("its array is not there any more");
-	const auto array = std::make_shared<const volumes::ZarrArray>(folder, folder.filename().string(), *about);
+	const auto array = std::make_shared<volumes::ZarrArray>(folder, folder.filename().string(), *about);
 	std::vector<std::size_t> front;
-	for (std::size_t index = 0; indices >> index;)
-		front.push_back(index);
+	std::string word;
+	for (std::vector<std::size_t> order; indices >> word;)
+		if (std::size_t index = 0; word == "turned")
+		{
+			while (order.size() < array->shape().size() && indices >> index)
+				order.push_back(index);
+			array->turn(order);
+		}
+		else
+			front.push_back(std::strtoull(word.c_str(), nullptr, 10));
 	return [array, front](const arrays::PackedPart& part, std::span<std::byte> to)
 	{ array->readPart(front, part.offset, to); };
 }
@@ -89,6 +101,21 @@ arrays::UnpackPart fromTiff(const std::string& file, std::istream& indices)
 	{ files->use([&](volumes::TiffVolume& volume) { volume.readPart(channel, part.offset, to); }); };
 }
 
+// words: how many indices, these, and the path of the data set, which may have blanks.
+arrays::UnpackPart fromHdf5(const std::string& file, std::istream& words)
+{
+	std::size_t count = 0;
+	words >> count;
+	std::vector<std::uint64_t> front;
+	for (std::uint64_t index = 0; front.size() < count && words >> index;)
+		front.push_back(index);
+	words.get();
+	std::string path;
+	std::getline(words, path, '\0');
+	const auto chunks = std::make_shared<const hdf5::ChunkReader>(file, path, std::move(front));
+	return [chunks](const arrays::PackedPart& part, std::span<std::byte> to) { chunks->read(part.offset, to); };
+}
+
 } // namespace
 
 arrays::UnpackPart arrays::unpackerOf(const std::string& file, const std::string& how)
@@ -96,7 +123,10 @@ arrays::UnpackPart arrays::unpackerOf(const std::string& file, const std::string
 	std::istringstream words(how);
 	std::string reader;
 	words >> reader;
-	return reader == "zarr" ? fromZarr(file, words) : reader == "tiff" ? fromTiff(file, words) : fromChunks(file, how);
+	return reader == "zarr"   ? fromZarr(file, words)
+	       : reader == "tiff" ? fromTiff(file, words)
+	       : reader == "hdf5" ? fromHdf5(file, words)
+	                          : fromChunks(file, how);
 }
 
 } // namespace vp::reader

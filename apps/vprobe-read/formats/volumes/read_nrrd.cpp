@@ -1,15 +1,19 @@
 // NRRD through teem, whose format it is: VTK 9.1 reads no header with several data files, and no directions.
 #include "base/real_text.h"
 #include "nrrd_axes.h"
-#include "vprobe-read/arrays/text_values.h"
+#include "nrrd_file.h"
+#include "vprobe-read/arrays/stored_array.h"
 #include "vprobe-read/arrays/value_image.h"
 #include "vprobe-read/base/refusal.h"
+#include "vprobe-read/cells/structured_blocks.h"
 #include "vprobe-read/formats/formats.h"
 #include "vprobe-read/manifest/manifest_writer.h"
 #include "vprobe-read/manifest/time_choice.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
+#include <vtkMatrix3x3.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
 
 #include <fmt/format.h>
@@ -27,67 +31,23 @@
 namespace vp::reader::volumes
 {
 
-using grid::NumberType;
-
 namespace
 {
 
-struct NrrdDeleter
-{
-	void operator()(Nrrd* nrrd) const { nrrdNuke(nrrd); }
-	void operator()(NrrdIoState* state) const { nrrdIoStateNix(state); }
-};
-using NrrdPointer = std::unique_ptr<Nrrd, NrrdDeleter>;
-
-// Returns the last of teem's lines, which is the cause.
-std::string biffReason()
-{
-	char* text = biffGetDone(NRRD);
-	std::string reason = text ? text : "";
-	std::free(text);
-	while (!reason.empty() && reason.back() == '\n')
-		reason.pop_back();
-	if (const auto line = reason.rfind('\n'); line != reason.npos)
-		reason.erase(0, line + 1);
-	return reason.empty() ? "teem cannot read it" : reason;
-}
-
-NumberType typeOfNrrd(int type)
-{
-	switch (type)
-	{
-	case nrrdTypeChar:
-		return NumberType::int8;
-	case nrrdTypeUChar:
-		return NumberType::uint8;
-	case nrrdTypeShort:
-		return NumberType::int16;
-	case nrrdTypeUShort:
-		return NumberType::uint16;
-	case nrrdTypeInt:
-		return NumberType::int32;
-	case nrrdTypeUInt:
-		return NumberType::uint32;
-	case nrrdTypeLLong:
-		return NumberType::int64;
-	case nrrdTypeULLong:
-		return NumberType::uint64;
-	case nrrdTypeFloat:
-		return NumberType::float32;
-	case nrrdTypeDouble:
-		return NumberType::float64;
-	default:
-		throw Refusal("a NRRD file of values of type block, which have no number");
-	}
-}
-
-// Puts the axes in the order that VTK wants: components run fastest, then space; time comes last.
-void orderAxes(NrrdPointer& nrrd, NrrdAxes& axes)
+// The order that VTK wants: components run fastest, then space; time comes last.
+std::vector<unsigned> wantedOrder(const NrrdAxes& axes)
 {
 	std::vector<unsigned> order = axes.components;
 	order.insert(order.end(), axes.space.begin(), axes.space.end());
 	if (axes.time)
 		order.push_back(*axes.time);
+	return order;
+}
+
+// Puts the axes in this order.
+void orderAxes(NrrdPointer& nrrd, NrrdAxes& axes)
+{
+	std::vector<unsigned> order = wantedOrder(axes);
 	if (!std::is_sorted(order.begin(), order.end()))
 	{
 		NrrdPointer permuted(nrrdNew());
@@ -103,26 +63,6 @@ void orderAxes(NrrdPointer& nrrd, NrrdAxes& axes)
 		axis = next++;
 	if (axes.time)
 		axes.time = next;
-}
-
-// teem takes the beginning of a word for a number, and passes over what follows the last one.
-void takeText(Nrrd& nrrd, const std::string& file)
-{
-	const std::optional<std::string> text = nrrdText(file);
-	if (!text)
-		return;
-	arrays::parseText(*text, typeOfNrrd(nrrd.type), nrrdElementNumber(&nrrd), nrrd.data);
-}
-
-NrrdPointer loadNrrd(const std::string& file)
-{
-	NrrdPointer nrrd(nrrdNew());
-	const std::unique_ptr<NrrdIoState, NrrdDeleter> state(nrrdIoStateNew());
-	if (nrrdLoad(nrrd.get(), file.c_str(), state.get()))
-		throw damaged(biffReason());
-	if (state->encoding == nrrdEncodingAscii)
-		takeText(*nrrd, file);
-	return nrrd;
 }
 
 // A picture without directions gets a third axis of one sample.
@@ -161,6 +101,11 @@ arrays::ValueLayout layoutOf(const Nrrd& nrrd, const NrrdAxes& axes)
 	return layout;
 }
 
+std::string nameOfNrrd(const Nrrd& nrrd)
+{
+	return nrrd.content && *nrrd.content ? nrrd.content : "NRRD";
+}
+
 std::optional<std::string> nrrdKey(Nrrd& nrrd, const std::string& key)
 {
 	char* found = nrrdKeyValueGet(&nrrd, key.c_str());
@@ -197,29 +142,62 @@ std::vector<std::pair<double, std::string>> segmentNames(Nrrd& nrrd)
 	return {names.begin(), names.end()};
 }
 
+// Returns the header of a file whose values may stay where they are.
+std::optional<NrrdHead> nrrdInFile(const Request& request)
+{
+	std::optional<NrrdHead> head =
+	    request.is_slice || request.stays_above == ~std::uint64_t(0) ? std::nullopt : plainNrrd(request.file);
+	if (!head)
+		return std::nullopt;
+	const NrrdAxes axes = nrrdAxes(*head->nrrd);
+	const std::vector<unsigned> order = wantedOrder(axes);
+	vtkNew<vtkMatrix3x3> direction;
+	direction->DeepCopy(nrrdPlace(*head->nrrd, axes).direction.data());
+	const bool stays = std::is_sorted(order.begin(), order.end()) && cells::isAxisAligned(direction) &&
+	                   request.leaves(layoutOf(*head->nrrd, axes).byteCount());
+	return stays ? std::move(head) : std::nullopt;
+}
+
+// The values of one time.
+vtkSmartPointer<vtkDataArray> valuesOfNrrd(Nrrd& nrrd, const arrays::ValueLayout& layout, bool has_times,
+                                           std::size_t step)
+{
+	const std::string name = nameOfNrrd(nrrd);
+	const auto values = arrays::emptyArray(layout, name, has_times ? arrays::Room::made : arrays::Room::none);
+	if (!has_times)
+		// From now on they belong to the array, which may be kept for longer. teem has them from malloc().
+		values->SetVoidArray(std::exchange(nrrd.data, nullptr), static_cast<vtkIdType>(layout.valueCount()), 0,
+		                     vtkAbstractArray::VTK_DATA_ARRAY_FREE);
+	else
+		std::copy_n(static_cast<const char*>(nrrd.data) + step * layout.byteCount(), layout.byteCount(),
+		            static_cast<char*>(values->GetVoidPointer(0)));
+	return values;
+}
+
 } // namespace
 
 void readNrrd(const Request& request, manifest::Writer& manifest)
 {
-	NrrdPointer nrrd = loadNrrd(request.file);
+	std::optional<NrrdHead> head = nrrdInFile(request);
+	NrrdPointer nrrd = head ? std::move(head->nrrd) : loadNrrd(request.file);
 	if (request.is_slice)
 		addFlatAxis(nrrd);
 	NrrdAxes axes = nrrdAxes(*nrrd);
 	orderAxes(nrrd, axes);
-	const arrays::ValueLayout layout = layoutOf(*nrrd, axes);
+	arrays::ValueLayout layout = layoutOf(*nrrd, axes);
 	manifest::StepsInTime times = manifest::stepsInTime(nrrdTimes(*nrrd, axes), manifest);
 	manifest::chooseIfAny(times.times, request);
 	const std::size_t step = times.times.empty() ? 0 : times.steps[manifest::chooseStep(times.times, request)];
 
-	const std::string name = nrrd->content && *nrrd->content ? nrrd->content : "NRRD";
-	const auto values = arrays::emptyArray(layout, name, times.times.empty() ? arrays::Room::none : arrays::Room::made);
-	if (times.times.empty())
-		// From now on they belong to the array, which may be kept for longer. teem has them from malloc().
-		values->SetVoidArray(std::exchange(nrrd->data, nullptr), static_cast<vtkIdType>(layout.valueCount()), 0,
-		                     vtkAbstractArray::VTK_DATA_ARRAY_FREE);
+	vtkSmartPointer<vtkDataArray> values;
+	if (head)
+	{
+		layout.is_big_endian = head->is_big_endian;
+		const std::uint64_t begin = head->offset + step * layout.byteCount();
+		values = arrays::storedArray(layout, nameOfNrrd(*nrrd), arrays::storedRows(head->file, begin, layout));
+	}
 	else
-		std::copy_n(static_cast<const char*>(nrrd->data) + step * layout.byteCount(), layout.byteCount(),
-		            static_cast<char*>(values->GetVoidPointer(0)));
+		values = valuesOfNrrd(*nrrd, layout, !times.times.empty(), step);
 	const auto image = arrays::imageOf(values, layout.points);
 	const NrrdPlace place = nrrdPlace(*nrrd, axes);
 	image->SetOrigin(place.origin.data());

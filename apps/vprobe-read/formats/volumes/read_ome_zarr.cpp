@@ -1,9 +1,11 @@
-// Images of OME-Zarr: a level of the first one. Time is an axis, and each channel is an array.
+// Images of OME-Zarr and N5: a level of the first one. Time is an axis, and each channel is an array.
 #include "read_ome_zarr.h"
+#include "n5_image.h"
 #include "ome_zarr.h"
 #include "vprobe-read/arrays/stored_array.h"
 #include "vprobe-read/arrays/value_image.h"
 #include "vprobe-read/base/refusal.h"
+#include "vprobe-read/formats/formats.h"
 #include "vprobe-read/manifest/manifest_writer.h"
 #include "vprobe-read/manifest/time_choice.h"
 #include "vprobe-read/text/length_units.h"
@@ -131,20 +133,22 @@ void readOmeZarr(const OmeZarr& image, const Request& request, manifest::Writer&
 	manifest.offerLevels(image.levels.size());
 	manifest.refuseOtherLevel(request.level);
 	const OmeZarr::Level& level = image.levels[request.level];
-	const std::filesystem::path folder = std::filesystem::path(request.file) / level.path;
+	const std::filesystem::path folder = (std::filesystem::path(request.file) / level.path).lexically_normal();
 	const auto about = zarrArrayJson(folder);
 	if (!about)
 		throw Refusal(fmt::format("its level {} is not there; copy the whole folder", folder.string()));
-	const ZarrArray array(folder, level.path, *about);
+	const bool is_lone = level.path == "."; // its own folder was named
+	ZarrArray array(folder, is_lone ? folder.parent_path().filename().string() : level.path, *about);
 	const std::size_t sides = array.shape().size(), space = image.spaceAxes();
 	if (sides != image.axes.size())
-		throw damaged(fmt::format("its level {} has {} sides and {} axes", level.path, sides, image.axes.size()));
-	arrays::ValueLayout layout{{1, 1, 1}, 1, numberTypeOf(array.type(), level.path)};
+		throw damaged(fmt::format("its level {} has {} sides and {} axes", array.name(), sides, image.axes.size()));
+	array.turn(image.order);
+	arrays::ValueLayout layout{{1, 1, 1}, 1, numberTypeOf(array.type(), array.name())};
 	for (std::size_t axis = 0; axis < space; ++axis)
 		if (const std::size_t side = array.shape()[sides - 1 - axis]; side < std::size_t(1) << 31)
 			layout.points[axis] = static_cast<std::uint32_t>(side);
 		else
-			throw Refusal(fmt::format("its level {} has {} points a side, more than are read", level.path, side));
+			throw Refusal(fmt::format("its level {} has {} points a side, more than are read", array.name(), side));
 
 	const std::optional<std::size_t> time = image.axisOf("time"), channel = image.axisOf("channel");
 	std::vector<std::size_t> front(sides - space, 0);
@@ -156,7 +160,7 @@ void readOmeZarr(const OmeZarr& image, const Request& request, manifest::Writer&
 			                          array.shape()[side]));
 	const std::size_t channels = channel ? array.shape()[*channel] : 1;
 	if (channels > kMaxChannels)
-		throw damaged(fmt::format("its level {} has {} channels", level.path, channels));
+		throw damaged(fmt::format("its level {} has {} channels", array.name(), channels));
 	const std::vector<std::string> names = namesOfChannels(image, channels);
 	vtkSmartPointer<vtkImageData> data;
 	for (std::size_t i = 0; i < names.size(); ++i)
@@ -170,7 +174,7 @@ void readOmeZarr(const OmeZarr& image, const Request& request, manifest::Writer&
 			data = arrays::imageOf(values, layout.points);
 	}
 	if (!data)
-		throw Refusal(fmt::format("its level {} has no values", level.path));
+		throw Refusal(fmt::format("its level {} has no values", array.name()));
 	placeImage(image, level, *data, manifest);
 	if (image.images > 1)
 		manifest.warn(fmt::format("it has {} images; the first is shown", image.images));
@@ -179,6 +183,15 @@ void readOmeZarr(const OmeZarr& image, const Request& request, manifest::Writer&
 		imaging.window = image.window;
 	manifest.setImaging(imaging);
 	manifest.addLone(data);
+}
+
+// Its folder may be named, or the file of attributes in it.
+void readN5(const Request& request, manifest::Writer& manifest)
+{
+	Request of_folder = request;
+	if (!std::filesystem::is_directory(request.file))
+		of_folder.file = std::filesystem::absolute(request.file).parent_path().string();
+	readOmeZarr(n5Image(of_folder.file), of_folder, manifest);
 }
 
 } // namespace vp::reader::volumes

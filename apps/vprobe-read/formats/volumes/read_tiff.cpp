@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vp::reader::volumes
@@ -47,7 +48,8 @@ vtkSmartPointer<vtkDataArray> arrayOf(TiffVolume& volume, std::uint32_t channel,
 	const std::string name = layout.channels > 1 ? fmt::format("channel {}", channel) : "values";
 	const bool is_as_written = layout.slope == 1.0 && layout.intercept == 0.0;
 	if (request.leaves(values.byteCount()) && is_as_written)
-		return arrays::storedArray(values, name, volume.storedPlace(channel));
+		if (std::optional<arrays::StoredPlace> place = volume.storedPlace(channel))
+			return arrays::storedArray(values, name, std::move(*place));
 	auto array = arrays::emptyArray(values, name);
 	char* to = static_cast<char*>(array->GetVoidPointer(0));
 	for (std::uint32_t slice = 0; slice < layout.slices; ++slice)

@@ -1,5 +1,6 @@
 #include "tiff_volume.h"
 
+#include "read/protocol.h"
 #include "vprobe-read/base/mapped_text.h"
 #include "vprobe-read/base/refusal.h"
 
@@ -55,16 +56,6 @@ std::string descriptionOf(const std::string& file, TiffPages& pages)
 	const MappedText mapped(path);
 	const std::string_view text = mapped.text();
 	return text.starts_with("II") || text.starts_with("MM") ? TiffPages(path).description() : std::string(text);
-}
-
-// Returns how many rows a part of a plain page has: they divide its height, and have some 16 KiB.
-std::uint64_t rowsOfPart(std::uint64_t row_bytes, std::uint64_t height)
-{
-	constexpr std::uint64_t kBytes = 16384;
-	std::uint64_t rows = std::clamp<std::uint64_t>(kBytes / row_bytes, 1, height);
-	while (height % rows != 0)
-		--rows;
-	return rows;
 }
 
 } // namespace
@@ -212,22 +203,17 @@ std::optional<std::vector<std::uint64_t>> TiffVolume::plainPlanes(std::uint32_t 
 	return begins;
 }
 
-arrays::StoredPlace TiffVolume::storedPlace(std::uint32_t channel)
+std::optional<arrays::StoredPlace> TiffVolume::storedPlace(std::uint32_t channel)
 {
-	arrays::StoredPlace place{.file = file_};
+	const std::uint64_t item_bytes = byteSize(kind_.type()) * kind_.samples;
 	if (const auto begins = plainPlanes(channel))
-	{
-		const std::uint64_t row_bytes = kind_.bytes() / kind_.height;
-		place.part = {kind_.width, rowsOfPart(row_bytes, kind_.height), 1};
-		place.swaps = files_.open(0).isSwapped();
-		place.fill.assign(byteSize(kind_.type()) * kind_.samples, '\0');
-		for (const std::uint64_t begin : *begins)
-			for (std::uint64_t row = 0; row < kind_.height; row += place.part[1])
-				place.offsets.push_back(begin + row * row_bytes);
-		return place;
-	}
+		return arrays::storedLayers(file_, *begins, {kind_.width, kind_.height, begins->size()}, item_bytes,
+		                            files_.open(0).isSwapped());
 	const Plane first = planeOf(channel, 0);
 	const std::array<std::uint32_t, 2> block = files_.open(first.file).blockSize(first.page);
+	if (std::uint64_t(block[0]) * block[1] > read::kMaxPartBytes / item_bytes)
+		return std::nullopt;
+	arrays::StoredPlace place{.file = file_};
 	place.part = {block[0], block[1], 1};
 	place.reader = fmt::format("tiff {} {}", channel, time_);
 	return place;

@@ -12,7 +12,9 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <mutex>
+#include <numeric>
 #include <set>
 
 namespace vp::reader::volumes
@@ -47,6 +49,13 @@ void copyRow(std::size_t width, const std::byte* from, std::size_t stride, std::
 	default:
 		return copyRow<8>(from, stride, to, count);
 	}
+}
+
+Sides unturned(std::size_t count)
+{
+	Sides order(count);
+	std::iota(order.begin(), order.end(), 0);
+	return order;
 }
 
 // Returns how many values lie between neighbors along each side. order: the sides from slowest to fastest.
@@ -131,6 +140,7 @@ public:
 			per_side_.push_back(layout.file[i] / layout.chunk[i]);
 			chunks *= per_side_.back(); // no more than bytes in a file, as it was checked
 		}
+		keys_ = layout.keys;
 		const std::size_t checksum = has_checksum_ ? 4 : 0;
 		if (file.size() < checksum || (file.size() - checksum) / kEntry < chunks)
 			throw damaged(fmt::format("{} is shorter than its index", where_));
@@ -149,8 +159,8 @@ public:
 	std::optional<std::span<const std::byte>> chunk(const Sides& indices) const
 	{
 		std::size_t number = 0;
-		for (std::size_t i = 0; i < indices.size(); ++i)
-			number = number * per_side_[i] + indices[i];
+		for (const std::size_t side : keys_)
+			number = number * per_side_[side] + indices[side];
 		const auto offset = numberAt<std::uint64_t>(index_.data() + number * kEntry);
 		const auto size = numberAt<std::uint64_t>(index_.data() + number * kEntry + 8);
 		if (offset == ~std::uint64_t(0) && size == ~std::uint64_t(0))
@@ -166,7 +176,7 @@ private:
 	std::span<const std::byte> file_, index_;
 	std::string where_;
 	bool has_checksum_;
-	Sides per_side_;
+	Sides per_side_, keys_;
 };
 
 std::optional<json> zarrArrayJson(const fs::path& folder)
@@ -174,10 +184,15 @@ std::optional<json> zarrArrayJson(const fs::path& folder)
 	std::error_code ignored;
 	if (fs::is_regular_file(folder / ".zarray", ignored))
 		return zarrJson(folder / ".zarray");
-	if (!fs::is_regular_file(folder / "zarr.json", ignored))
+	if (fs::is_regular_file(folder / "zarr.json", ignored))
+	{
+		const json about = zarrJson(folder / "zarr.json");
+		return about.value("node_type", "") == "array" ? std::optional(about) : std::nullopt;
+	}
+	if (!fs::is_regular_file(folder / "attributes.json", ignored))
 		return std::nullopt;
-	const json about = zarrJson(folder / "zarr.json");
-	return about.value("node_type", "") == "array" ? std::optional(about) : std::nullopt;
+	const json about = zarrJson(folder / "attributes.json");
+	return isOfN5(about) ? std::optional(about) : std::nullopt;
 }
 
 ZarrArray::ZarrArray(fs::path folder, std::string name, const json& about)
@@ -188,6 +203,18 @@ ZarrArray::ZarrArray(fs::path folder, std::string name, const json& about)
 
 ZarrArray::~ZarrArray() = default;
 ZarrArray::ZarrArray(ZarrArray&&) noexcept = default;
+
+void ZarrArray::turn(const Sides& order)
+{
+	Sides sorted = order;
+	std::ranges::sort(sorted);
+	if (sorted != unturned(layout_.shape.size()))
+		throw damaged(fmt::format("its {} has other sides than are asked for", name_));
+	if (order == sorted)
+		return;
+	layout_.turn(order);
+	turned_ = order;
+}
 
 // The files of a part that few of them cover, by their names. Nothing for others.
 std::optional<std::vector<ZarrArray::File>> ZarrArray::fewFilesIn(const Sides& starts, const Sides& counts) const
@@ -241,23 +268,25 @@ std::size_t ZarrArray::copyChunk(std::span<const std::byte> packed, const Sides&
                                  const Sides& starts, const Sides& counts, std::byte* to) const
 {
 	countMapped(packed.size());
-	const std::vector<std::byte> from = codecs_.unpack(packed, layout_.chunkBytes(), where);
+	const Sides held = layout_.has_block_heads ? takeBlockHead(packed, where) : layout_.chunk;
 	const std::size_t sides = layout_.shape.size(), width = layout_.type.width;
+	const std::size_t bytes = std::accumulate(held.begin(), held.end(), width, std::multiplies<>());
+	const std::vector<std::byte> from = codecs_.unpack(packed, bytes, where);
 	if (sides == 0)
 	{
 		std::memcpy(to, from.data(), width);
 		return 1;
 	}
-	Sides in_order(sides);
-	for (std::size_t i = 0; i < sides; ++i)
-		in_order[i] = i;
-	const Sides from_strides = stridesOf(layout_.chunk, layout_.order), to_strides = stridesOf(counts, in_order);
+	const Sides from_strides = stridesOf(held, layout_.order), to_strides = stridesOf(counts, unturned(sides));
 	Sides count(sides), none(sides, 0);
 	std::size_t from_first = 0, to_first = 0, values = 1;
 	for (std::size_t i = 0; i < sides; ++i)
 	{
 		const std::size_t first = std::max(begin[i], starts[i]);
-		count[i] = std::min({begin[i] + layout_.chunk[i], starts[i] + counts[i], layout_.shape[i]}) - first;
+		const std::size_t end = std::min({begin[i] + held[i], starts[i] + counts[i], layout_.shape[i]});
+		if (end <= first) // a block of N5 that is cut short
+			return 0;
+		count[i] = end - first;
 		from_first += (first - begin[i]) * from_strides[i];
 		to_first += (first - starts[i]) * to_strides[i];
 		values *= count[i];

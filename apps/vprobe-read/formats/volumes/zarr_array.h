@@ -24,6 +24,9 @@ public:
 	~ZarrArray();
 	ZarrArray(ZarrArray&&) noexcept;
 
+	// Puts the sides in another order. order: for each new side which one of the given ones it is.
+	void turn(const std::vector<std::size_t>& order);
+
 	const std::string& name() const { return name_; }
 	const std::vector<std::size_t>& shape() const { return layout_.shape; }
 	// Floats of 2 bytes are given as those of 4.
@@ -56,6 +59,7 @@ private:
 	std::vector<File> filesIn(const std::vector<std::size_t>& starts, const std::vector<std::size_t>& counts) const;
 	std::size_t copyFile(const File& file, const std::vector<std::size_t>& starts,
 	                     const std::vector<std::size_t>& counts, std::byte* to) const;
+	std::vector<std::size_t> takeBlockHead(std::span<const std::byte>& packed, const std::string& where) const;
 	std::size_t copyChunk(std::span<const std::byte> packed, const std::vector<std::size_t>& begin,
 	                      const std::string& where, const std::vector<std::size_t>& starts,
 	                      const std::vector<std::size_t>& counts, std::byte* to) const;
@@ -65,6 +69,7 @@ private:
 	ZarrLayout layout_;
 	ZarrCodecs codecs_;
 	std::unique_ptr<CheckedShards> checked_;
+	std::vector<std::size_t> turned_; // as it was turned; empty if it was not
 };
 
 // Returns the JSON of the array in a folder, or nothing if there is none.

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <string_view>
 
 #include <lz4.h>
 #include <lzma.h>
@@ -36,6 +37,36 @@ bool unpackSizedLz4(Bytes packed, std::span<std::byte> to)
 	       LZ4_decompress_safe(reinterpret_cast<const char*>(packed.data()) + 4, reinterpret_cast<char*>(to.data()),
 	                           static_cast<int>(packed.size() - 4),
 	                           static_cast<int>(to.size())) == static_cast<int>(to.size());
+}
+
+// As lz4-java's streams have it: blocks, each behind a mark, its kind, the number of its packed bytes, that of its
+// bytes, and a checksum, which is not looked at. The last one is empty.
+bool unpackJavaLz4(Bytes packed, std::span<std::byte> to)
+{
+	constexpr std::string_view kMark = "LZ4Block";
+	constexpr std::size_t kHead = 21;
+	constexpr unsigned kPlain = 0x10, kPacked = 0x20;
+	while (!to.empty())
+	{
+		if (packed.size() < kHead ||
+		    !std::equal(kMark.begin(), kMark.end(), reinterpret_cast<const char*>(packed.data())))
+			return false;
+		const unsigned kind = std::to_integer<unsigned>(packed[kMark.size()]) & 0xF0;
+		const std::size_t bytes = numberAt<std::uint32_t>(packed.data() + 9);
+		const std::size_t whole = numberAt<std::uint32_t>(packed.data() + 13);
+		packed = packed.subspan(kHead);
+		if (bytes > packed.size() || whole == 0 || whole > to.size() || std::max(bytes, whole) > LZ4_MAX_INPUT_SIZE)
+			return false;
+		if (kind == kPlain && bytes == whole)
+			std::copy_n(packed.begin(), whole, to.begin());
+		else if (kind != kPacked ||
+		         LZ4_decompress_safe(reinterpret_cast<const char*>(packed.data()), reinterpret_cast<char*>(to.data()),
+		                             static_cast<int>(bytes), static_cast<int>(whole)) != static_cast<int>(whole))
+			return false;
+		packed = packed.subspan(bytes);
+		to = to.subspan(whole);
+	}
+	return true;
 }
 
 bool unpackXz(Bytes packed, std::span<std::byte> to)
@@ -121,7 +152,7 @@ ZarrCodecs::Step ZarrCodecs::stepOf(const json& codec, const std::string& array)
 {
 	Step step;
 	step.id = codec.value("id", "");
-	const bool is_packed = isOneOf(step.id, {"blosc", "zlib", "gzip", "zstd", "lz4", "crc32", "crc32c"}) ||
+	const bool is_packed = isOneOf(step.id, {"blosc", "zlib", "gzip", "zstd", "lz4", "lz4-java", "crc32", "crc32c"}) ||
 	                       (step.id == "lzma" && codec.value("format", 1) == 1);
 	if (step.id == "shuffle")
 	{
@@ -208,6 +239,8 @@ bool ZarrCodecs::Step::undo(Bytes packed, std::span<std::byte> to) const
 		return ZSTD_decompress(to.data(), to.size(), packed.data(), packed.size()) == to.size();
 	if (id == "lz4")
 		return unpackSizedLz4(packed, to);
+	if (id == "lz4-java")
+		return unpackJavaLz4(packed, to);
 	if (id == "lzma")
 		return unpackXz(packed, to);
 	if (plain.width > 0)

@@ -4,6 +4,7 @@
 #include "vprobe-read/base/mapped_text.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/text/json_text.h"
+#include "zarr_words.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -26,27 +27,7 @@ namespace
 
 using Sides = std::vector<std::size_t>;
 
-constexpr std::size_t kMaxSides = 32; // as many as NumPy has
 constexpr std::size_t kMaxBytesOfChunk = std::size_t(1) << 40;
-
-Refusal notFollowed(const std::string& name)
-{
-	return damaged(fmt::format("the JSON of {} cannot be followed", name));
-}
-
-Sides sidesIn(const json& given, const std::string& name)
-{
-	Sides sides;
-	if (!given.is_array() || given.size() > kMaxSides)
-		throw notFollowed(name);
-	for (const json& side : given)
-	{
-		if (!side.is_number_integer() || side < 0 || side > std::int64_t(1) << 40)
-			throw notFollowed(name);
-		sides.push_back(side.get<std::size_t>());
-	}
-	return sides;
-}
 
 std::uint16_t halfOf(double number)
 {
@@ -110,7 +91,7 @@ std::optional<std::vector<std::byte>> fillOf(const json& given, const ZarrType& 
 		bits = static_cast<std::uint64_t>(given.is_number_integer() ? given.get<std::int64_t>()
 		                                                            : std::llround(given.get<double>()));
 	else
-		throw notFollowed(name);
+		throw notFollowedZarr(name);
 	std::vector<std::byte> bytes(sizeof(bits));
 	std::memcpy(bytes.data(), &bits, sizeof(bits));
 	bytes.resize(type.width);
@@ -122,8 +103,8 @@ std::optional<std::vector<std::byte>> fillOf(const json& given, const ZarrType& 
 ZarrLayout layoutOf2(const json& about, const std::string& name)
 {
 	ZarrLayout layout;
-	layout.shape = sidesIn(about.value("shape", json()), name);
-	layout.file = layout.chunk = sidesIn(about.value("chunks", json()), name);
+	layout.shape = zarrSides(about.value("shape", json()), name);
+	layout.file = layout.chunk = zarrSides(about.value("chunks", json()), name);
 	layout.type = ZarrType::of(about.value("dtype", json()));
 	layout.order.resize(layout.shape.size());
 	std::iota(layout.order.begin(), layout.order.end(), 0);
@@ -156,20 +137,9 @@ struct Named
 			configuration = given.value("configuration", json::object());
 		}
 		if (name.empty() || !configuration.is_object())
-			throw notFollowed(array);
+			throw notFollowedZarr(array);
 	}
 };
-
-ZarrType typeNamed(const std::string& name)
-{
-	if (name == "bool")
-		return {'b', 1, false};
-	for (const std::string_view kind : {"int", "uint", "float"})
-		for (const std::size_t width : {1, 2, 4, 8})
-			if (name == fmt::format("{}{}", kind, 8 * width) && (kind != "float" || width > 1))
-				return {kind[0], width, false};
-	return {};
-}
 
 // Whoever does not know an extension must stop, unless it says otherwise.
 void refuseUnknown(const json& about, const std::string& name)
@@ -189,13 +159,13 @@ void refuseUnknown(const json& about, const std::string& name)
 
 void takeOrder(ZarrLayout& layout, const Named& codec, const std::string& name)
 {
-	const Sides order = sidesIn(codec.configuration.value("order", json()), name);
+	const Sides order = zarrSides(codec.configuration.value("order", json()), name);
 	Sides sorted = order;
 	std::ranges::sort(sorted);
 	Sides wanted(layout.shape.size());
 	std::iota(wanted.begin(), wanted.end(), 0);
 	if (sorted != wanted)
-		throw notFollowed(name);
+		throw notFollowedZarr(name);
 	Sides composed; // an earlier one has turned the sides already
 	for (const std::size_t side : order)
 		composed.push_back(layout.order[side]);
@@ -206,17 +176,17 @@ void takeCodecs(ZarrLayout& layout, const json& codecs, const std::string& name)
 
 void takeShards(ZarrLayout& layout, const Named& codec, const std::string& name)
 {
-	layout.chunk = sidesIn(codec.configuration.value("chunk_shape", json()), name);
+	layout.chunk = zarrSides(codec.configuration.value("chunk_shape", json()), name);
 	bool divides = layout.chunk.size() == layout.file.size();
 	for (std::size_t i = 0; divides && i < layout.chunk.size(); ++i)
 		divides = layout.chunk[i] > 0 && layout.file[i] % layout.chunk[i] == 0;
 	if (!divides || layout.is_sharded)
-		throw notFollowed(name);
+		throw notFollowedZarr(name);
 	layout.is_sharded = true;
 	layout.index_is_first = codec.configuration.value("index_location", "end") == "start";
 	const json of_index = codec.configuration.value("index_codecs", json::array());
 	if (!of_index.is_array())
-		throw notFollowed(name);
+		throw notFollowedZarr(name);
 	for (const json& one : of_index)
 	{
 		const Named named(one, name);
@@ -233,7 +203,7 @@ void takeShards(ZarrLayout& layout, const Named& codec, const std::string& name)
 void takeCodecs(ZarrLayout& layout, const json& codecs, const std::string& name)
 {
 	if (!codecs.is_array())
-		throw notFollowed(name);
+		throw notFollowedZarr(name);
 	for (std::size_t i = 0; i < codecs.size(); ++i)
 	{
 		const Named codec(codecs[i], name);
@@ -260,7 +230,7 @@ ZarrLayout layoutOf3(const json& about, const std::string& name)
 {
 	refuseUnknown(about, name);
 	ZarrLayout layout;
-	layout.shape = sidesIn(about.value("shape", json()), name);
+	layout.shape = zarrSides(about.value("shape", json()), name);
 	layout.order.resize(layout.shape.size());
 	std::iota(layout.order.begin(), layout.order.end(), 0);
 	const Named grid(about.value("chunk_grid", json()), name);
@@ -268,17 +238,17 @@ ZarrLayout layoutOf3(const json& about, const std::string& name)
 		throw Refusal(fmt::format("the chunks of {} differ in size, which is not read; write it with chunks of one "
 		                          "size",
 		                          name));
-	layout.file = layout.chunk = sidesIn(grid.configuration.value("chunk_shape", json()), name);
+	layout.file = layout.chunk = zarrSides(grid.configuration.value("chunk_shape", json()), name);
 	const Named keys(about.value("chunk_key_encoding", json("default")), name);
 	const bool is_default = keys.name == "default";
 	if (!is_default && keys.name != "v2")
-		throw notFollowed(name);
+		throw notFollowedZarr(name);
 	layout.key_front = is_default ? "c" : "";
 	layout.separators = keys.configuration.value("separator", is_default ? "/" : ".");
 	if (!isOneOf(layout.separators, {".", "/"}))
-		throw notFollowed(name);
+		throw notFollowedZarr(name);
 	const json type = about.value("data_type", json());
-	layout.type = typeNamed(type.is_string() ? type.get<std::string>() : std::string());
+	layout.type = zarrTypeNamed(type.is_string() ? type.get<std::string>() : std::string());
 	if (layout.type.kind == 0)
 		return layout;
 	takeCodecs(layout, about.value("codecs", json()), name);
@@ -322,9 +292,13 @@ ZarrLayout ZarrLayout::of(const json& about, const std::string& name)
 	const json version = about.value("zarr_format", json(2));
 	if (version != 2 && version != 3)
 		throw Refusal(fmt::format("{} has Zarr's format {}; write it as version 2 or 3", name, version.dump()));
-	ZarrLayout layout = version == 2 ? layoutOf2(about, name) : layoutOf3(about, name);
+	ZarrLayout layout = isOfN5(about)  ? layoutOfN5(about, name)
+	                    : version == 2 ? layoutOf2(about, name)
+	                                   : layoutOf3(about, name);
+	layout.keys.resize(layout.shape.size());
+	std::iota(layout.keys.begin(), layout.keys.end(), 0);
 	if (layout.shape.size() != layout.file.size())
-		throw notFollowed(name);
+		throw notFollowedZarr(name);
 	std::size_t bytes = layout.type.width;
 	for (const std::size_t side : layout.file)
 		if (side == 0 || __builtin_mul_overflow(bytes, side, &bytes) || bytes > kMaxBytesOfChunk)
@@ -332,9 +306,24 @@ ZarrLayout ZarrLayout::of(const json& about, const std::string& name)
 	return layout;
 }
 
-std::size_t ZarrLayout::chunkBytes() const
+void ZarrLayout::turn(const Sides& order_of_sides)
 {
-	return std::accumulate(chunk.begin(), chunk.end(), type.width, std::multiplies<>());
+	const auto turned = [&](const Sides& given)
+	{
+		Sides sides;
+		for (const std::size_t side : order_of_sides)
+			sides.push_back(given[side]);
+		return sides;
+	};
+	shape = turned(shape);
+	chunk = turned(chunk);
+	file = turned(file);
+	Sides place(order_of_sides.size());
+	for (std::size_t i = 0; i < place.size(); ++i)
+		place[order_of_sides[i]] = i;
+	for (Sides* sides : {&order, &keys})
+		for (std::size_t& side : *sides)
+			side = place[side];
 }
 
 std::vector<std::string> ZarrLayout::namesOfFile(const Sides& indices) const
@@ -343,8 +332,8 @@ std::vector<std::string> ZarrLayout::namesOfFile(const Sides& indices) const
 	for (const char separator : separators)
 	{
 		std::string name = key_front;
-		for (const std::size_t index : indices)
-			name += name.empty() ? fmt::format("{}", index) : fmt::format("{}{}", separator, index);
+		for (const std::size_t side : keys)
+			name += name.empty() ? fmt::format("{}", indices[side]) : fmt::format("{}{}", separator, indices[side]);
 		names.push_back(name.empty() ? "0" : name);
 	}
 	return names;
@@ -365,11 +354,16 @@ std::optional<Sides> ZarrLayout::indicesOf(std::string name) const
 	{
 		const std::size_t end = std::min(name.find_first_of(separators, at), name.size());
 		const auto [stop, error] = std::from_chars(name.data() + at, name.data() + end, indices.emplace_back());
-		if (error != std::errc() || stop != name.data() + end || indices.size() > kMaxSides)
+		if (error != std::errc() || stop != name.data() + end || indices.size() > kMaxSidesOfZarr)
 			return std::nullopt;
 		at = end + 1;
 	}
-	return indices;
+	if (indices.size() != keys.size())
+		return indices;
+	Sides turned(indices.size());
+	for (std::size_t i = 0; i < keys.size(); ++i)
+		turned[keys[i]] = indices[i];
+	return turned;
 }
 
 } // namespace vp::reader::volumes

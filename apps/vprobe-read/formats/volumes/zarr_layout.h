@@ -17,6 +17,9 @@ namespace vp::reader::volumes
 // Refusal that names the file.
 nlohmann::json zarrJson(const std::filesystem::path& file);
 
+// Returns true if the JSON is that of a data set of N5.
+bool isOfN5(const nlohmann::json& about);
+
 // How an array of Zarr lies in its folder, as its JSON says.
 struct ZarrLayout
 {
@@ -32,12 +35,17 @@ struct ZarrLayout
 	bool index_has_checksum = false; // CRC-32C behind it
 	std::string key_front;           // "c" if names of files begin with it
 	std::string separators;          // that may stand between indices in names of files: '.', '/' or both
+	std::vector<std::size_t> keys;   // the sides in the order of their indices in names of files, and in a shard
+	bool has_block_heads = false;    // a head before each chunk says how large it is (N5)
 
-	// `about`: the contents of .zarray, or of an array's zarr.json. Throws a Refusal that names the array if they
-	// cannot be followed. After "Zarr Storage Specification 2" and "Zarr core specification 3.0".
+	// `about`: the contents of .zarray, of an array's zarr.json, or of a data set's attributes.json of N5. Throws a
+	// Refusal that names the array if they cannot be followed. After "Zarr Storage Specification 2", "Zarr core
+	// specification 3.0" and the specification of N5.
 	static ZarrLayout of(const nlohmann::json& about, const std::string& name);
 
-	std::size_t chunkBytes() const; // as they are before they are packed
+	// Puts the sides in another order. order: for each new side which one it was.
+	void turn(const std::vector<std::size_t>& order);
+
 	// Returns the names that the file of these chunks or shards may have, within the array's folder.
 	std::vector<std::string> namesOfFile(const std::vector<std::size_t>& indices) const;
 	// Returns the indices in such a name; nothing for other names.

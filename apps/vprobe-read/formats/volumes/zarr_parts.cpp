@@ -1,4 +1,5 @@
 // Arrays of Zarr that stay where they are, and are read a chunk at a time.
+#include "read/protocol.h"
 #include "vprobe-read/base/refusal.h"
 #include "zarr_array.h"
 
@@ -13,14 +14,16 @@ namespace vp::reader::volumes
 
 std::optional<arrays::StoredPlace> ZarrArray::storedPlace(const std::vector<std::size_t>& front) const
 {
-	if (layout_.shape.size() != front.size() + 3)
+	if (layout_.shape.size() != front.size() + 3 || partBytes() > read::kMaxPartBytes)
 		return std::nullopt;
 	std::error_code ignored;
 	const bool is_second = std::filesystem::is_regular_file(folder_ / ".zarray", ignored);
-	arrays::StoredPlace place{.file = (folder_ / (is_second ? ".zarray" : "zarr.json")).string()};
+	const char* about = layout_.has_block_heads ? "attributes.json" : is_second ? ".zarray" : "zarr.json";
+	arrays::StoredPlace place{.file = (folder_ / about).string()};
 	for (std::size_t axis = 0; axis < 3; ++axis)
 		place.part[axis] = layout_.chunk[front.size() + 2 - axis];
-	place.reader = fmt::format("zarr {}", fmt::join(front, " "));
+	place.reader = turned_.empty() ? fmt::format("zarr {}", fmt::join(front, " "))
+	                               : fmt::format("zarr turned {} {}", fmt::join(turned_, " "), fmt::join(front, " "));
 	return place;
 }
 
