@@ -39,12 +39,12 @@ int main(int argc, char** argv)
 	vp::app::MpiTeam team(&argc, &argv);
 	vp::app::setTeam(&team);
 	processes = &team;
+	constexpr vp::app::AddCommand kCommands[] = {vp::app::addSlice, vp::app::addRender, vp::app::addSweep,
+	                                             vp::app::addProfile};
 	const vp::app::Program program{
-	    "vprobe-mpi",
-	    "Volume probes in data whose parts are spread over processes: mpiexec -n N vprobe-mpi COMMAND …",
+	    "vprobe-mpi", "Volume probes in data whose parts are spread over processes: mpiexec -n N vprobe-mpi COMMAND …",
 	    "The commands and options are those of vprobe. Each process reads and cuts a share of the input's pieces or\n"
 	    "blocks; the first one writes. What cannot be done so is refused.",
-	    {vp::app::addSlice, vp::app::addRender, vp::app::addSweep, vp::app::addProfile},
-	    endAll};
+	    kCommands, endAll};
 	return vp::app::runProgram(program, argc, argv);
 }

@@ -11,11 +11,14 @@
 #include <cstddef>
 #include <cstdlib>
 #include <exception>
+#include <new>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include <dlfcn.h>
 #include <execinfo.h>
+#include <sys/uio.h>
 #include <unistd.h>
 
 namespace vp::app
@@ -28,6 +31,7 @@ constexpr std::array kCrashes{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 constexpr std::size_t kStackSize = 64 * 1024; // a full stack leaves none for the handler
 
 // Made before a crash: a handler allocates nothing.
+std::array<char, 32> name_of_program{"vprobe"};
 std::string line_of_driver;
 std::string line_of_program;
 volatile std::sig_atomic_t has_spoken = 0;
@@ -93,35 +97,57 @@ void onCrash(int number)
 	raise(number);
 }
 
-[[noreturn]] void onUnhandled()
+[[noreturn]] void endUnhandled(std::string_view reason)
 {
-	std::string reason = "an error that nobody handled";
-	try
-	{
-		if (const std::exception_ptr error = std::current_exception())
-			std::rethrow_exception(error);
-	}
-	catch (const std::exception& error)
-	{
-		reason = error.what();
-	}
-	catch (...)
-	{
-		// it says nothing
-	}
-	printLine(reason + "; please report it with the command line");
+	printLine(std::string(reason) + "; please report it with the command line");
 	has_spoken = 1;
 	write::removeUnfinishedFiles();
 	std::abort();
 }
 
+[[noreturn]] void onUnhandled()
+{
+	try
+	{
+		if (const std::exception_ptr error = std::current_exception())
+			std::rethrow_exception(error);
+	}
+	catch (const std::bad_alloc&)
+	{
+		sayOutOfMemory();
+		write::removeUnfinishedFiles();
+		_exit(static_cast<int>(ExitCode::output));
+	}
+	catch (const std::exception& error)
+	{
+		endUnhandled(error.what());
+	}
+	catch (...)
+	{
+		// it says nothing
+	}
+	endUnhandled("an error that nobody handled");
+}
+
 } // namespace
 
-void sayLastWord(const std::string& program)
+void sayOutOfMemory() noexcept
 {
-	line_of_driver = program + ": the driver of the device crashed; choose another by --device, or update it\n";
-	line_of_program = program + ": crashed; please report it with the command line and, if you may, the input\n";
-	std::set_terminate(onUnhandled);
+	const auto part = [](std::string_view text) { return iovec{const_cast<char*>(text.data()), text.size()}; };
+	const std::array line{part(name_of_program.data()), part(": "), part(kOutOfMemory), part("\n")};
+	const ssize_t written = writev(STDERR_FILENO, line.data(), static_cast<int>(line.size()));
+	(void)written; // nothing is left to do about it
+}
+
+void sayLastWord(std::string_view program)
+{
+	std::set_terminate(onUnhandled); // before anything may fail
+	name_of_program = {};
+	program.copy(name_of_program.data(), name_of_program.size() - 1);
+	line_of_driver =
+	    std::string(program) + ": the driver of the device crashed; choose another by --device, or update it\n";
+	line_of_program =
+	    std::string(program) + ": crashed; please report it with the command line and, if you may, the input\n";
 	if (kSanitized)
 		return;
 	std::array<void*, 1> first{};

@@ -6,14 +6,15 @@
 
 int main(int argc, char** argv)
 {
+	constexpr vp::app::AddCommand kCommands[] = {
+#define VP_ADD(add) vp::app::add,
+	    VP_COMMANDS(VP_ADD)
+#undef VP_ADD
+	};
 	const vp::app::Program program{"vprobe",
 	                               vp::app::kAbout,
 	                               vp::app::kFooter,
-	                               {
-#define VP_ADD(add) vp::app::add,
-	                                   VP_COMMANDS(VP_ADD)
-#undef VP_ADD
-	                               },
+	                               kCommands,
 	                               [](const std::string& line, vp::app::ExitCode) { vp::app::printLine(line); },
 	                               true,
 	                               vp::app::becomeViewer};

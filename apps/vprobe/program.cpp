@@ -62,7 +62,7 @@ void endOnSignals()
 }
 
 // Returns CLI11's reason as one line that names the remedy.
-std::string usageLine(const std::string& name, const CLI::App& program, const CLI::ParseError& error)
+std::string usageLine(std::string_view name, const CLI::App& program, const CLI::ParseError& error)
 {
 	std::string reason = error.what();
 	std::replace(reason.begin(), reason.end(), '\n', ' ');
@@ -75,6 +75,19 @@ int failed(const Program& program, const std::string& line, ExitCode code)
 {
 	program.fail(line, code);
 	return exitStatus(code);
+}
+
+int failedForMemory(const Program& program)
+{
+	try
+	{
+		return failed(program, std::string(kOutOfMemory), ExitCode::output);
+	}
+	catch (const std::bad_alloc&)
+	{
+		sayOutOfMemory(); // there is none even for the line
+		return exitStatus(ExitCode::output);
+	}
 }
 
 // Ends the program after a help text. Returns the exit status.
@@ -122,7 +135,7 @@ int carryOut(const Program& program, const Run& run, const Said& said)
 	}
 	catch (const std::bad_alloc&)
 	{
-		return failed(program, "out of memory; use a smaller input or a machine with more memory", ExitCode::output);
+		throw; // runProgram() says so
 	}
 	catch (const parts::Unreadable& error)
 	{
@@ -134,21 +147,20 @@ int carryOut(const Program& program, const Run& run, const Said& said)
 	}
 }
 
-} // namespace
-
-int runProgram(const Program& program, int argc, char** argv)
+int runCommand(const Program& program, int argc, char** argv)
 {
 	if (program.hand_over && argc > 1) // before any work that the other program would do again
 		program.hand_over(argv[0], {argv + 1, argv + argc});
-	CLI::App app{program.about, program.name};
+	sayLastWord(program.name);
+	CLI::App app{std::string(program.about), std::string(program.name)};
 	app.set_version_flag("--version", kVersion);
 	app.require_subcommand(1);
-	app.footer(program.footer);
+	app.footer(std::string(program.footer));
 
 	fillClosedStreams();
 	keepFreedMemory();
 	nameThreadRow("main");
-	setProgramName(program.name);
+	setProgramName(std::string(program.name));
 	Said said;
 	const MessageListener messages(
 	    [&said](Severity severity, std::string_view line)
@@ -160,7 +172,6 @@ int runProgram(const Program& program, int argc, char** argv)
 	const auto progress = isFirst() ? std::make_unique<ProgressLine>() : nullptr;
 	endOnSignals();
 	std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large shows as an error of the write
-	sayLastWord(program.name);
 	Run run;
 	for (const auto add : program.commands)
 		add(app, run);
@@ -199,6 +210,20 @@ int runProgram(const Program& program, int argc, char** argv)
 		return failed(program, usageLine(program.name, app, error), ExitCode::usage);
 	}
 	return carryOut(program, run, said);
+}
+
+} // namespace
+
+int runProgram(const Program& program, int argc, char** argv)
+{
+	try
+	{
+		return runCommand(program, argc, argv);
+	}
+	catch (const std::bad_alloc&)
+	{
+		return failedForMemory(program);
+	}
 }
 
 } // namespace vp::app

@@ -2,19 +2,24 @@
 
 #include "commands/commands.h"
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace vp::app
 {
 
-// A program of subcommands.
+using AddCommand = void (*)(CLI::App& program, Run& run);
+
+// A program of subcommands. It holds literals alone: main() asks for no memory, since nobody is there yet to say that
+// it ran out.
 struct Program
 {
-	std::string name;
-	std::string about;
-	std::string footer;
-	std::vector<void (*)(CLI::App& program, Run& run)> commands;
+	std::string_view name;
+	std::string_view about;
+	std::string_view footer;
+	std::span<const AddCommand> commands;
 	// Reports why the program ends: a line, and its exit code.
 	void (*fail)(const std::string& line, ExitCode code);
 	bool opens_files = false; // an input without a command is viewed, or rendered

@@ -7,10 +7,9 @@
 
 int main(int argc, char** argv)
 {
+	constexpr vp::app::AddCommand kCommands[] = {vp::app::addView};
 	const vp::app::Program program{"vprobe", // whose command it is: in messages, and in the help
-	                               vp::app::kAbout,
-	                               vp::app::kFooter,
-	                               {vp::app::addView},
+	                               vp::app::kAbout, vp::app::kFooter, kCommands,
 	                               [](const std::string& line, vp::app::ExitCode) { vp::app::printLine(line); }};
 	return vp::app::runProgram(program, argc, argv);
 }

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <fstream>
 #include <map>
+#include <new>
 #include <utility>
 
 #include <unistd.h>
@@ -211,21 +212,30 @@ std::string rowName(std::uint32_t row)
 
 double TimedSection::begin()
 {
+	beginUse(); // may throw, and then the section is not open
 	OpenSection& open = openSection();
 	outer_ = open;
 	open = {timeline_, name_, outer_.depth + 1};
-	beginUse();
 	return timeline_->now();
 }
 
 void TimedSection::end() const
 {
 	const double duration = timeline_->now() - start_;
-	endUse(name_);
 	openSection() = outer_;
-	timeline_->add({std::string(name_), track_, start_, duration, threadRow(), outer_.depth, cells_,
-	                outer_.depth == 0 ? FrameScope::frame() : Timeline::kNoFrame});
-	timeline_->countResources();
+	// Called by a destructor, mostly while memory runs out elsewhere: then the measurement is lost, and not the
+	// program.
+	try
+	{
+		endUse(name_);
+		timeline_->add({std::string(name_), track_, start_, duration, threadRow(), outer_.depth, cells_,
+		                outer_.depth == 0 ? FrameScope::frame() : Timeline::kNoFrame});
+		timeline_->countResources();
+	}
+	catch (const std::bad_alloc&)
+	{
+		// nobody measures a program that ends
+	}
 }
 
 } // namespace vp

@@ -1,6 +1,7 @@
 #include "base/worker_piece.h"
 
 #include <atomic>
+#include <new>
 
 namespace vp
 {
@@ -31,8 +32,16 @@ void WorkerPiece::begin(const TracedLoop& loop)
 
 void WorkerPiece::end()
 {
-	timeline_->addPiece(openSection().name, threadRow(), start_, timeline_->now());
+	const std::string_view name = openSection().name;
 	openSection() = {};
+	try
+	{
+		timeline_->addPiece(name, threadRow(), start_, timeline_->now());
+	}
+	catch (const std::bad_alloc&)
+	{
+		// As at the end of a section: a destructor calls this.
+	}
 }
 
 } // namespace vp

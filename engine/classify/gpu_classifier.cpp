@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <new>
 #include <numeric>
 #include <optional>
 
@@ -43,9 +44,16 @@ GpuClassifier::~GpuClassifier()
 {
 	if (!workspace_)
 		return;
-	if (workspace_->commands.handle() && workspace_->commands.wait() && timeline_)
-		workspace_->timers.collect(*timeline_);
-	blocks_.giveBack(std::move(workspace_));
+	try
+	{
+		if (workspace_->commands.handle() && workspace_->commands.wait() && timeline_)
+			workspace_->timers.collect(*timeline_);
+		blocks_.giveBack(std::move(workspace_));
+	}
+	catch (const std::bad_alloc&)
+	{
+		// The times are lost, and so may the workspace be: another one is made.
+	}
 }
 
 Status GpuClassifier::prepare()

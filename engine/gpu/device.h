@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <new>
 #include <optional>
 #include <span>
 #include <string>
@@ -106,8 +107,23 @@ public:
 	// Runs `use` while nobody else uses the queue, for libraries that submit by themselves.
 	void lendQueue(const std::function<void()>& use);
 
-	// Runs `destroy` as soon as everything submitted so far is done.
-	void retire(std::function<void(VkDevice)> destroy);
+	// Runs `destroy` as soon as everything submitted so far is done. Destructors call this: without memory to note it,
+	// it waits.
+	template <class Destroy>
+	void retire(const Destroy& destroy) noexcept
+	{
+		try
+		{
+			retireLater(destroy);
+		}
+		catch (const std::bad_alloc&)
+		{
+			waitForAll();
+			destroy(device_);
+			return;
+		}
+		destroyRetired();
+	}
 
 	// Names and labels show in debuggers and validation messages; without the debug extension they do nothing.
 	void setName(VkObjectType type, std::uint64_t object, std::string_view name) const;
@@ -132,7 +148,9 @@ private:
 	Device();
 	void examined(const Candidate& candidate); // stores the properties of a candidate
 	Status getReady(bool map_device_memory);   // call this once device_ and queue_ are set
+	void retireLater(std::function<void(VkDevice)> destroy);
 	void destroyRetired();
+	void waitForAll() const;
 	VkResult counted(std::uint64_t& number) const;
 
 	std::unique_ptr<Private> private_;

@@ -30,8 +30,9 @@ struct Device::Private
 	std::function<void()> unlock_queue;
 
 	bool hasRetired();
-	// Takes out the objects that no submitted work uses any more, once `done` is done.
-	std::vector<std::function<void(VkDevice)>> takeDue(std::uint64_t done);
+	// Takes out an object that no submitted work uses any more, once `done` is done; empty if there is none. Memory is
+	// not needed for it.
+	std::function<void(VkDevice)> takeDue(std::uint64_t done);
 
 	PFN_vkSetDebugUtilsObjectNameEXT set_name = nullptr;
 	PFN_vkCmdBeginDebugUtilsLabelEXT begin_label = nullptr;

@@ -24,12 +24,12 @@ std::optional<std::uint64_t> FreeRanges::take(std::uint64_t bytes, std::uint64_t
 	const auto [first, length] = *best;
 	const std::uint64_t begin = aligned(first);
 	const std::uint64_t skipped = begin - first;
+	if (const std::uint64_t rest = length - skipped - bytes; rest > 0)
+		ranges_[begin + bytes] = rest; // the only step that may fail, so it comes first
 	if (skipped == 0)
 		ranges_.erase(best);
 	else
 		best->second = skipped;
-	if (const std::uint64_t rest = length - skipped - bytes; rest > 0)
-		ranges_[begin + bytes] = rest;
 	free_ -= bytes;
 	return begin;
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <mutex>
+#include <new>
 #include <string_view>
 
 #include <unistd.h>
@@ -22,7 +23,14 @@ VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT,
                                          const VkDebugUtilsMessengerCallbackDataEXT* data, void* instance)
 {
 	static_cast<Instance*>(instance)->messages.fetch_add(1);
-	report(Severity::error, data->pMessage);
+	try
+	{
+		report(Severity::error, data->pMessage);
+	}
+	catch (const std::bad_alloc&)
+	{
+		// The driver that calls this is no C++, and would not pass an error on. The message is counted.
+	}
 	return VK_FALSE;
 }
 

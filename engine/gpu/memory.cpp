@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
+#include <new>
+#include <utility>
 
 namespace vp::gpu
 {
@@ -143,6 +145,9 @@ Result<Arena::Piece> Arena::takeOfType(std::uint32_t type, VkDeviceSize size, Vk
 
 Result<Arena::Page*> Arena::addPage(std::uint32_t type, VkDeviceSize size)
 {
+	// First, so that no memory of the device is lost for want of the host's.
+	auto page = std::make_unique<Page>(Page{type, VK_NULL_HANDLE, nullptr, FreeRanges(size)});
+	pages_.reserve(pages_.size() + 1);
 	const VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, nullptr, size, type};
 	VkDeviceMemory memory = VK_NULL_HANDLE;
 	if (Status allocated = check(vkAllocateMemory(device_, &info, nullptr, &memory), "vkAllocateMemory"); !allocated)
@@ -154,7 +159,9 @@ Result<Arena::Page*> Arena::addPage(std::uint32_t type, VkDeviceSize size)
 			vkFreeMemory(device_, memory, nullptr);
 			return done.error();
 		}
-	pages_.push_back(std::make_unique<Page>(Page{type, memory, static_cast<std::byte*>(mapped), FreeRanges(size)}));
+	page->memory = memory;
+	page->mapped = static_cast<std::byte*>(mapped);
+	pages_.push_back(std::move(page));
 	return pages_.back().get();
 }
 
@@ -170,7 +177,14 @@ VkDeviceSize Arena::pageSize(std::uint32_t type) const
 void Arena::give(const Piece& piece)
 {
 	const std::lock_guard lock(mutex_);
-	piece.page->ranges.give(piece.offset, piece.size);
+	try
+	{
+		piece.page->ranges.give(piece.offset, piece.size);
+	}
+	catch (const std::bad_alloc&)
+	{
+		return; // a destructor calls this; the piece stays taken until the arena ends
+	}
 	if (!piece.page->ranges.allFree())
 		return;
 	// One empty page of each type is kept, since it is often needed again. Pages of a single large piece are not kept.

@@ -117,26 +117,30 @@ bool Device::Private::hasRetired()
 	return !retired.empty();
 }
 
-std::vector<std::function<void(VkDevice)>> Device::Private::takeDue(std::uint64_t done)
+std::function<void(VkDevice)> Device::Private::takeDue(std::uint64_t done)
 {
-	std::vector<std::function<void(VkDevice)>> due;
+	std::function<void(VkDevice)> due;
 	const std::lock_guard lock(retired_mutex);
-	while (!retired.empty() && retired.front().after <= done)
+	if (!retired.empty() && retired.front().after <= done)
 	{
-		due.push_back(std::move(retired.front().destroy));
+		due = std::move(retired.front().destroy);
 		retired.pop_front();
 	}
 	return due;
 }
 
-void Device::retire(std::function<void(VkDevice)> destroy)
+void Device::retireLater(std::function<void(VkDevice)> destroy)
 {
 	const std::uint64_t last = lastSubmission();
-	{
-		const std::lock_guard lock(private_->retired_mutex);
-		private_->retired.push_back({last, std::move(destroy)});
-	}
-	destroyRetired();
+	const std::lock_guard lock(private_->retired_mutex);
+	private_->retired.push_back({last, std::move(destroy)});
+}
+
+void Device::waitForAll() const
+{
+	const std::lock_guard lock(private_->queue_mutex);
+	const QueueTurn turn(private_->lock_queue, private_->unlock_queue);
+	patiently([this] { return vkQueueWaitIdle(queue_); }); // fails where the device is lost, and then all is done
 }
 
 void Device::destroyRetired()
@@ -144,7 +148,7 @@ void Device::destroyRetired()
 	std::uint64_t done = 0;
 	if (counted(done) != VK_SUCCESS)
 		return; // a lost device: they go with it
-	for (const auto& destroy : private_->takeDue(done))
+	while (const auto destroy = private_->takeDue(done))
 		destroy(device_);
 }
 

@@ -130,7 +130,7 @@ private:
 
 	grid::IdArray idsOf(const json& array) const
 	{
-		if (array.at("type") == "int32")
+		if (array.at("type").get_ref<const std::string&>() == "int32")
 			return numbersOf<std::int32_t>(cells_, array, NumberType::int32);
 		return numbersOf<std::int64_t>(cells_, array, NumberType::int64);
 	}

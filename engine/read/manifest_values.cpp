@@ -87,7 +87,8 @@ Array<std::byte> bytesOfType(const SharedBytes& memory, const json& array, Numbe
 grid::Points coordinatesOf(const SharedBytes& memory, const json& array, std::uint64_t points)
 {
 	const std::uint64_t numbers = points == kAnyCount ? kAnyCount : points * 3;
-	const bool is_double = array.at("type") == "float64";
+	// nlohmann compares with a literal in a function that may not throw, but asks for memory.
+	const bool is_double = array.at("type").get_ref<const std::string&>() == "float64";
 	grid::Points checked = is_double ? grid::Points(numbersOf<double>(memory, array, NumberType::float64, numbers))
 	                                 : grid::Points(numbersOf<float>(memory, array, NumberType::float32, numbers));
 	if (countOf(array.at("bytes")) != checked.size() * 3 * (is_double ? 8 : 4))

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <png.h>
 
+#include <array>
 #include <csetjmp>
 #include <cstring>
+#include <exception>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -16,7 +18,12 @@ namespace vp::write
 namespace
 {
 
-using ByteSink = std::function<void(std::string_view)>;
+// Takes the bytes of the file. An error of it must not pass through libpng, which is C, so it is kept here.
+struct ByteSink
+{
+	std::function<void(std::string_view)> take;
+	std::exception_ptr error = nullptr;
+};
 
 bool isOpaque(const render::Picture& picture)
 {
@@ -26,9 +33,13 @@ bool isOpaque(const render::Picture& picture)
 	return true;
 }
 
+// A message that is cut short needs no memory.
+using PngMessage = std::array<char, 200>;
+
 void keepMessage(png_structp png, png_const_charp message)
 {
-	*static_cast<std::string*>(png_get_error_ptr(png)) = message;
+	auto& kept = *static_cast<PngMessage*>(png_get_error_ptr(png));
+	*fmt::format_to_n(kept.data(), kept.size() - 1, "{}", message).out = '\0';
 	png_longjmp(png, 1);
 }
 
@@ -36,14 +47,24 @@ void dropMessage(png_structp, png_const_charp) {}
 
 void writePngBytes(png_structp png, png_bytep bytes, png_size_t size)
 {
-	(*static_cast<const ByteSink*>(png_get_io_ptr(png)))({reinterpret_cast<const char*>(bytes), size});
+	auto& sink = *static_cast<ByteSink*>(png_get_io_ptr(png));
+	try
+	{
+		sink.take({reinterpret_cast<const char*>(bytes), size});
+	}
+	catch (...)
+	{
+		sink.error = std::current_exception();
+	}
+	if (sink.error)
+		png_error(png, "its bytes cannot be kept");
 }
 
 void flushNothing(png_structp) {}
 
 // False and the reason where libpng refuses. Objects with destructors stay outside: its errors jump over this frame.
 bool encode(const render::Picture& picture, bool opaque, std::vector<std::uint8_t>& row, ByteSink& sink,
-            std::string& error)
+            PngMessage& error)
 {
 	png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &error, keepMessage, dropMessage);
 	png_infop info = png ? png_create_info_struct(png) : nullptr;
@@ -81,9 +102,12 @@ namespace
 Status encodeInto(const render::Picture& picture, const std::string& path, ByteSink sink)
 {
 	std::vector<std::uint8_t> row(std::size_t(4) * picture.width);
-	std::string reason;
-	if (!encode(picture, isOpaque(picture), row, sink, reason))
-		return Error{ErrorKind::output, fmt::format("{}: cannot be encoded as PNG: {}", path, reason)};
+	PngMessage reason{};
+	const bool is_encoded = encode(picture, isOpaque(picture), row, sink, reason);
+	if (sink.error)
+		std::rethrow_exception(sink.error);
+	if (!is_encoded)
+		return Error{ErrorKind::output, fmt::format("{}: cannot be encoded as PNG: {}", path, reason.data())};
 	return Nothing{};
 }
 
@@ -91,13 +115,13 @@ Status encodeInto(const render::Picture& picture, const std::string& path, ByteS
 
 Status encodePng(const render::Picture& picture, const std::string& path, AtomicFile& file)
 {
-	return encodeInto(picture, path, [&](std::string_view bytes) { file.write(bytes); });
+	return encodeInto(picture, path, {[&](std::string_view bytes) { file.write(bytes); }});
 }
 
 Result<std::string> pngBytes(const render::Picture& picture)
 {
 	std::string all;
-	if (Status encoded = encodeInto(picture, "the picture", [&](std::string_view bytes) { all += bytes; }); !encoded)
+	if (Status encoded = encodeInto(picture, "the picture", {[&](std::string_view bytes) { all += bytes; }}); !encoded)
 		return encoded.error();
 	return all;
 }

@@ -54,6 +54,12 @@ void redirect(int descriptor, const std::string& file)
 		const rlimit limits{limit, limit};
 		setrlimit(RLIMIT_FSIZE, &limits);
 	}
+	if (surroundings.memory_limit)
+	{
+		const rlim_t limit = static_cast<rlim_t>(surroundings.memory_limit);
+		const rlimit limits{limit, limit};
+		setrlimit(RLIMIT_AS, &limits);
+	}
 	if (!surroundings.folder.empty() && chdir(surroundings.folder.c_str()) != 0)
 		_exit(97);
 	alarm(kSecondsToLive);

@@ -24,6 +24,7 @@ struct Surroundings
 	std::vector<int> closed{};                        // those of the three streams that are closed
 	std::string folder{};                             // where it runs; empty: where the test does
 	long file_size_limit = 0; // bytes any file may grow to; 0: as it pleases. Stands for a full disk
+	long memory_limit = 0;    // bytes of address space; 0: as it pleases
 };
 
 // The outcome of a run of the program. A program killed by a signal has the status 128 + signal, as in a shell.

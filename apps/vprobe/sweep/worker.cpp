@@ -7,13 +7,9 @@
 namespace vp::app
 {
 
+// An error of this thread has nobody who would hear it, so the naming is its first job.
 Worker::Worker(std::string name)
-    : thread_(
-          [this, name = std::move(name)]
-          {
-	          nameThreadRow(name);
-	          work();
-          })
+    : waiting_([name = std::move(name)] { nameThreadRow(name); }), thread_([this] { work(); })
 {
 }
 

@@ -143,7 +143,8 @@ Result<BlockSet> makeDemo(std::string_view name, int n, bool builds_neighbors)
 	}
 	catch (const std::bad_alloc&)
 	{
-		return Error{ErrorKind::input, fmt::format("demo:{}:{}: not enough memory; choose a smaller N", name, n)};
+		return Error{ErrorKind::out_of_memory,
+		             fmt::format("demo:{}:{}: not enough memory; choose a smaller N", name, n)};
 	}
 }
 

@@ -116,7 +116,7 @@ Targets::~Targets()
 	if (!device_)
 		return;
 	device_->retire(
-	    [views = layer_views_, all = layers_view_](VkDevice device)
+	    [views = std::move(layer_views_), all = layers_view_](VkDevice device)
 	    {
 		    for (const VkImageView view : views)
 			    vkDestroyImageView(device, view, nullptr);
