@@ -47,7 +47,7 @@ struct Piece
 };
 
 // All of it is there before any constructor runs.
-std::array<Piece, kMaxPieces> code; // of the program's own file
+std::array<Piece, kMaxPieces> code; // the program's own file
 std::array<std::atomic<std::uintptr_t>, 4 * kMaxPlaces> places;
 std::array<std::atomic<bool>, 4 * kMaxPlaces> is_shared; // libraries run the code there too
 std::atomic<bool> counts = false;

@@ -134,7 +134,7 @@ bool takeTransform(OmeZarr& image, OmeZarr::Level& level, const json& about)
 	return true;
 }
 
-// What a level says of itself, and what its group and the finest level say.
+// A level as it says itself, and as its group and the finest level say.
 struct LevelOfN5
 {
 	json about, of_group, finest;

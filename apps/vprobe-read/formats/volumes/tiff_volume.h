@@ -51,8 +51,8 @@ public:
 	arrays::ValueLayout values() const;
 	void readPlane(std::uint32_t channel, std::uint32_t slice, char* to);
 
-	// Returns where the values of a channel lie in parts: rows of plain pages, or the strips or tiles of others. Returns
-	// nothing if these are larger than parts may be.
+	// Returns where the values of a channel lie in parts: rows of plain pages, or the strips or tiles of others.
+	// Returns nothing if these are larger than parts may be.
 	std::optional<arrays::StoredPlace> storedPlace(std::uint32_t channel);
 	// Reads a strip or tile, by its number among those of all slices. `to` has room for one, also at the rims.
 	void readPart(std::uint32_t channel, std::uint64_t number, std::span<std::byte> to);

@@ -10,7 +10,7 @@
 namespace vp::reader::volumes
 {
 
-// What the JSON of Zarr's versions and of N5 have in common.
+// The words that the JSON of Zarr's versions and of N5 have in common.
 
 constexpr std::size_t kMaxSidesOfZarr = 32; // as many as NumPy has
 

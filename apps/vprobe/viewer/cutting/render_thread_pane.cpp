@@ -76,7 +76,8 @@ Status RenderThread::drawPane(PresentedFrame& shown, const render::Scene& scene)
 	probe::Sheet facing = picture::facingSheet(sheet->sheet, orientation, shown.wish.spec.probe.up.has_value());
 	if (facing.window && probe::reachesAround(*facing.window, finest_.session->blocks().bounds()))
 		facing.window.reset(); // its data fill the pane
-	pane.camera = interact::faceSheet({scene.camera, frame}, facing, flatExtent(finest_.session->blocks(), sheet->sheet));
+	pane.camera =
+	    interact::faceSheet({scene.camera, frame}, facing, flatExtent(finest_.session->blocks(), sheet->sheet));
 	Result<std::shared_ptr<gpu::Image>> image = pane_pictures_.take(*device_, {size.width, size.height});
 	if (!image)
 		return image.error();
