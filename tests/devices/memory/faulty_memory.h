@@ -19,7 +19,7 @@ inline std::map<std::string, std::string> faultyMemory(const std::string& fault,
 	return {{"LD_PRELOAD", VPROBE_FAILING_NEW}, {"VPROBE_MEMORY_FAULT", fault}, {"VPROBE_MEMORY_CALLS", calls}};
 }
 
-/// Such a file tells this; nothing if there is none.
+/// Reads such a file. There are no calls if it is missing.
 inline std::unique_ptr<MemoryCalls> toldCalls(const std::string& file)
 {
 	auto calls = std::make_unique<MemoryCalls>();
