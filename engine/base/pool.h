@@ -25,7 +25,10 @@ public:
 		{
 			const std::lock_guard lock(mutex_);
 			if (idle_.empty())
+			{
+				idle_.reserve(made_ + 1); // so that a loan comes back without asking for memory
 				++made_;
+			}
 			else
 			{
 				lent = std::move(idle_.back());

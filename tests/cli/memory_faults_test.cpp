@@ -72,10 +72,12 @@ protected:
 			Drawing::SetUp();
 	}
 	const MemoryTask& task() const { return GetParam().second; }
-	Outcome runWith(const std::string& number) const
+	Outcome runWith(const std::string& number, const std::string& other_input = {}) const
 	{
 		std::filesystem::create_directory(path("to"));
 		Arguments arguments = task().arguments;
+		if (!other_input.empty())
+			arguments[1] = other_input;
 		std::ranges::replace(arguments, "FILE", file_);
 		if (!task().output.empty() && arguments.back() != "-o")
 			arguments.push_back("-o");
@@ -110,6 +112,12 @@ protected:
 		const bool is_one = !task().draws || task().arguments[0] != "sweep";
 		return std::ranges::includes(all, outputs) && (!is_one || outputs.empty() || outputs == all);
 	}
+	// CLI11 has functions that may not throw but ask for memory. They are done when the program looks for its input.
+	std::uint64_t callsBeforeInput() const
+	{
+		EXPECT_EQ(runWith("0", "demo:none").status, 2);
+		return vp::memory::toldCalls(calls_)->count;
+	}
 	// The numbers of the calls that are let fail.
 	std::set<std::uint64_t> numbers() const
 	{
@@ -137,6 +145,7 @@ TEST_P(FaultyMemory, EndsInOneLineOrWithAll)
 	const std::map<std::string, std::string> all = takeOutputs();
 	const std::set<std::uint64_t> tried = numbers();
 	ASSERT_GT(vp::memory::toldCalls(calls_)->count, 100u) << "the program's calls are not counted";
+	const std::uint64_t before_input = callsBeforeInput();
 	std::size_t failed = 0;
 	for (const std::uint64_t n : tried)
 	{
@@ -144,7 +153,8 @@ TEST_P(FaultyMemory, EndsInOneLineOrWithAll)
 		const Outcome outcome = runWith(std::to_string(n));
 		const std::map<std::string, std::string> outputs = takeOutputs();
 		// Figures become JSON last.
-		EXPECT_TRUE(!vp::memory::toldCalls(calls_)->terminated || task().has_json || outputs == all) << outcome.err;
+		const bool may_terminate = n <= before_input || task().has_json || outputs == all;
+		EXPECT_TRUE(may_terminate || !vp::memory::toldCalls(calls_)->terminated) << outcome.err;
 		if (outcome.status == 0)
 		{
 			EXPECT_EQ(outcome.out, whole.out);
