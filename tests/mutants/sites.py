@@ -12,7 +12,7 @@ COMPARISONS = {'<': ('<', 'Less', '>'), '<=': ('<', 'LessOrSame', '>'), '>': ('<
                '>=': ('<', 'MoreOrSame', '>'), '==': ('==', 'Same', '=='), '!=': ('==', 'Other', '==')}
 KINDS = ('compare', 'constant', 'index', 'drop')
 # Calls without which a program does the same, only slower.
-IDLE_CALLS = ('reserve', 'prefetch', 'shrink_to_fit', 'assert', 'prefetchRecord', 'static_assert')
+IDLE_CALLS = ('reserve', 'shrink_to_fit', 'assert', 'static_assert')
 KEYWORDS = ('return', 'if', 'for', 'while', 'switch', 'else', 'delete', 'throw', 'case', 'do', 'sizeof', 'decltype')
 
 
@@ -174,7 +174,9 @@ class Source:
             if end is None or self.masked[end + 1:end + 2] != ';' or name[0].isupper():
                 continue
             before = self.masked[:match.start(1)].rstrip()[-1:]
-            if name in IDLE_CALLS or match.group(1) in KEYWORDS or before not in (';', '{', '}', ')') :
+            if name in IDLE_CALLS or name.startswith('prefetch') or match.group(1) in KEYWORDS:
+                continue
+            if before not in (';', '{', '}', ')'):
                 continue
             if re.search(r'\b(namespace|class|struct)\b', self.around(match.start(1)).split('{')[0]):
                 continue
