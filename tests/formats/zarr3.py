@@ -9,7 +9,7 @@ import random
 import struct
 import subprocess
 
-from against import Missing, compare, info, lattice, need, nrrd
+from against import Missing, compare, info, lattice, need, nrrd, tried
 from damage import refused, told
 from labels import expect_labels, tissue
 from parts import PACKED, PLANES, field, same
@@ -151,7 +151,7 @@ def stored_zarr3(folder):
 def zarr3_values(folder):
     numpy = need('numpy')
     values = lattice(numpy)
-    for number, (name, way) in enumerate(WAYS.items()):
+    for number, (name, way) in tried(enumerate(WAYS.items()), 2):
         sides = (3, 2, 5)
         if 'shard' in way:
             way = {**way, 'shard': tuple(n * side for n, side in zip((1 + number % 2, 2, 1), sides))}
