@@ -28,7 +28,7 @@ def tried(cases, every):
 
 
 def vprobe(*arguments):
-    done = subprocess.run([VPROBE, *map(str, arguments)], capture_output=True, text=True)
+    done = subprocess.run([VPROBE, *map(str, arguments)], capture_output=True, encoding='utf-8')
     if done.returncode:
         raise AssertionError(f'vprobe {" ".join(map(str, arguments))}: {done.stderr.strip()}')
     return done.stdout

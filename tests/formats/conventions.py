@@ -23,7 +23,7 @@ def axis(file, name, values, kind='f8', sides=None, **attributes):
 
 
 def noted(path, *options):
-    return subprocess.run([VPROBE, 'info', path, *options], capture_output=True, text=True).stderr
+    return subprocess.run([VPROBE, 'info', path, *options], capture_output=True, encoding='utf-8').stderr
 
 
 def conventions_bytes(folder):
@@ -152,7 +152,7 @@ def conventions_times(folder):
     assert info(path)['times'] == [1.0, 5.0, 5.0]
     assert [step(path, time) for time in ('#0', '#1', '#2', '5', 'last')] == [2, 0, 1, 0, 1]
     path = write('near.nc', [730120.0, 730120.25, 730120.5])
-    shown = subprocess.run([VPROBE, 'info', path], capture_output=True, text=True).stdout
+    shown = subprocess.run([VPROBE, 'info', path], capture_output=True, encoding='utf-8').stdout
     assert '730120 730120.25 730120.5' in shown, shown
     path = write('missing.nc', [0.0, -1.0, 10.0], _FillValue=-1.0)
     assert info(path)['times'] == [0.0, 1.0, 2.0] and step(path, '1') == 1 and '1 of its 3 times' in noted(path)

@@ -25,7 +25,7 @@ def convert(folder):
     vprobe('convert', mesh, '-o', folder / 'one.vtu', '--array', 'f')
     assert [a['name'] for a in info(folder / 'one.vtu')['arrays']] == ['f']
     for out, why in (('mesh.vti', 'is written as .vtu'), ('mesh.stl', 'is written as one of')):
-        done = subprocess.run([VPROBE, 'convert', mesh, '-o', folder / out], capture_output=True, text=True)
+        done = subprocess.run([VPROBE, 'convert', mesh, '-o', folder / out], capture_output=True, encoding='utf-8')
         assert done.returncode in (1, 2, 4) and why in done.stderr, done
         assert not (folder / out).exists()
     # A set takes the place of another, and leaves none of its pieces behind.

@@ -12,7 +12,7 @@ from against import VPROBE, Missing, lattice, need
 
 def told(path, *options):
     """The figures of a file, or its line where it is refused."""
-    done = subprocess.run([VPROBE, 'info', path, *options, '--json'], capture_output=True, text=True)
+    done = subprocess.run([VPROBE, 'info', path, *options, '--json'], capture_output=True, encoding='utf-8')
     if done.returncode == 0:
         return json.loads(done.stdout)
     assert done.returncode == 2 and done.stdout == '' and done.stderr.count('\n') == 1, (path, done)

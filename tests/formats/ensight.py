@@ -54,7 +54,7 @@ def mean(path, *options):
 
 
 def refused(path, *words):
-    done = subprocess.run([VPROBE, 'info', path], capture_output=True, text=True)
+    done = subprocess.run([VPROBE, 'info', path], capture_output=True, encoding='utf-8')
     assert done.returncode == 2 and done.stderr.count('\n') == 1, done
     for word in words:
         assert word in done.stderr, (word, done.stderr)
@@ -72,7 +72,7 @@ def ensight_time_sets(folder):
     for time, area, value in ((0, 1, 10), (1, 1, 10), (2, 4, 10), (3, 4, -4)):
         sheet = cut(case, 'point:f', *PLANE, '--time', time)
         assert near(sheet['area'], area) and near(sheet['mean'], value), (time, sheet)
-    done = subprocess.run([VPROBE, 'info', case, '--time', 'first'], capture_output=True, text=True, check=True)
+    done = subprocess.run([VPROBE, 'info', case, '--time', 'first'], capture_output=True, encoding='utf-8', check=True)
     assert 'f is shown at time 1, its first' in done.stderr, done.stderr
 
 
@@ -111,7 +111,7 @@ def ensight_undefined(folder):
     assert array['range'] == [5, 5], array
     case = write(folder, body, g__geo=text_cube(), f__scl='f\npart\n1\ncoordinates partial\n2\n1\n8\n3.5\n-1.0-100\n')
     assert near(info(case)['arrays'][0]['range'][1], 3.5)
-    done = subprocess.run([VPROBE, 'info', case], capture_output=True, text=True, check=True)
+    done = subprocess.run([VPROBE, 'info', case], capture_output=True, encoding='utf-8', check=True)
     assert 'Density = 1.5' in done.stderr, done.stderr
     for values, words in (('5\n' * 7, 'ends early'), ('5\n' * 9, '"5"'), ('5\n' * 7 + 'five\n', '"five"')):
         case = write(folder, body, g__geo=text_cube(), f__scl='f\npart\n1\ncoordinates\n' + values)

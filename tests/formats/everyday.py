@@ -71,7 +71,7 @@ def med_salome(folder):
         assert near(cut(path, 'RESU____DEPL', *at, '--component', 'z')['mean'], 0.25), kind
         assert near(cut(path, None, *at)['area'], area), (kind, cut(path, None, *at)['area'])
         assert info(path)['grid']['cells'] == 1
-        about = subprocess.run([VPROBE, 'info', path], capture_output=True, text=True).stderr
+        about = subprocess.run([VPROBE, 'info', path], capture_output=True, encoding='utf-8').stderr
         assert 'values at the nodes of each cell' in about, about
         # Twice as high, so the plane at 1/2 has the area of that at 1/4.
         moved = ['--displace', '1', '--normal', '0', '0', '1', '--origin', '0.2', '0.2', '0.5']
@@ -119,7 +119,7 @@ def slices(folder):
         (place / 'notes.txt').write_text('not a slice')
         assert info(place)['grid']['points'] == 4 * 3 * 11
         (place / f's6.{ending}').unlink()
-        told = subprocess.run([VPROBE, 'info', place], capture_output=True, text=True).stderr
+        told = subprocess.run([VPROBE, 'info', place], capture_output=True, encoding='utf-8').stderr
         assert f'between s5.{ending} and s7.{ending}' in told, told
         refused(place / f'x*.{ending}', 'no file has such a name')
         refused(place / f's3*.{ending}', 'two slices or more')
@@ -299,14 +299,14 @@ def displacements_that_are_not_there(folder):
     meshio.write(folder / 'fluid.vtu', mesh)
 
     def told(*options):
-        done = subprocess.run([VPROBE, 'info', folder / 'fluid.vtu', *options], capture_output=True, text=True)
+        done = subprocess.run([VPROBE, 'info', folder / 'fluid.vtu', *options], capture_output=True, encoding='utf-8')
         assert done.returncode == 2 and done.stderr.count('\n') == 1, done
         return done.stderr
     assert '--displace-by: U, grad' in told('--displace', '2'), told('--displace', '2')
     assert '--displace-by none: there is no such vector' in told('--displace-by', 'none')
     assert 'U, grad' in told('--displace-by', 'p', '--displace', '1')
     assert info(folder / 'fluid.vtu', '--displace-by', 'U')['bounds'] == [1, 2, 1, 2, 1, 2]
-    done = subprocess.run([VPROBE, 'info', 'demo:shell:4', '--displace', '1'], capture_output=True, text=True)
+    done = subprocess.run([VPROBE, 'info', 'demo:shell:4', '--displace', '1'], capture_output=True, encoding='utf-8')
     assert done.returncode == 1 and 'is built in' in done.stderr, done
     mesh.point_data = {'p': numpy.ones(8)}
     meshio.write(folder / 'fluid.vtu', mesh)
@@ -335,7 +335,7 @@ def converted_demos(folder):
                              (('demo:blob:4', folder / 'blob.vts'), 'is written as .vti, .vtu or .vtm'),
                              (('demo:shell:4', folder / 'n.vtu', '--displace', '1'), 'no vector at its points'),
                              (('demo:shell:0', folder / 'n.vtu'), 'N must be 1')):
-        done = subprocess.run([VPROBE, 'convert', *arguments], capture_output=True, text=True)
+        done = subprocess.run([VPROBE, 'convert', *arguments], capture_output=True, encoding='utf-8')
         assert done.returncode in (1, 2) and words in done.stderr and done.stderr.count('\n') == 1, done
     assert not (folder / 'n.vtu').exists()
 

@@ -155,7 +155,7 @@ def n5_levels(folder):
     for time in ('first', 'last'):
         same(folder / 'stack.n5', ['--array', 'channel 1', '--time', time], memory='100')
     write5(folder / 'four.n5', both[0], (1, 3, 2, 2))
-    done = subprocess.run([VPROBE, 'info', folder / 'four.n5'], capture_output=True, text=True, check=True)
+    done = subprocess.run([VPROBE, 'info', folder / 'four.n5'], capture_output=True, encoding='utf-8', check=True)
     assert 'of its axis 4 the first of 2 places' in done.stderr, done
     compare(folder / 'four.n5', reference, [('point:values', 'point:f')])
     (folder / 'outer').mkdir()

@@ -199,7 +199,7 @@ def damaged_newest(folder):
             path.write_bytes(wrong)
             out = against.scratch / 'damaged.csv'
             done = subprocess.run([against.VPROBE, 'slice', path, *cut, '--classify', 'cpu', '-o', out],
-                                  capture_output=True, text=True, check=False)
+                                  capture_output=True, encoding='utf-8', check=False)
             refusals += done.returncode != 0
             if done.returncode:
                 assert done.returncode == 2 and done.stderr.count('\n') == 1, (index, at, done)

@@ -5,7 +5,7 @@ from against import VPROBE, compare, cut, info, lattice, mixed_mesh, near, need,
 
 
 def refused(path, *words):
-    done = subprocess.run([VPROBE, 'info', path], capture_output=True, text=True)
+    done = subprocess.run([VPROBE, 'info', path], capture_output=True, encoding='utf-8')
     assert done.returncode == 2 and done.stderr.count('\n') == 1, done
     for word in words:
         assert word in done.stderr, (word, done.stderr)
@@ -35,7 +35,7 @@ def exodus_without_values(folder):
         file.createDimension('num_elem_var', 1)
         file.createVariable('name_elem_var', 'S1', ('num_elem_var', 'len_string'))[0, 0] = b'p'
         file.createVariable('elem_var_tab', 'i4', ('num_el_blk', 'num_elem_var'))[:] = 1
-    done = subprocess.run([VPROBE, 'info', path], capture_output=True, text=True)
+    done = subprocess.run([VPROBE, 'info', path], capture_output=True, encoding='utf-8')
     assert done.returncode == 2 and 'it has no vals_elem_var1eb1' in done.stderr, done
 
 
@@ -77,7 +77,7 @@ def counts_that_lie(folder):
     """Lists and counts in a head that ask for more than there can be."""
     def refused_as_damaged(name, text, *words):
         (folder / name).write_text(text)
-        done = subprocess.run([VPROBE, 'info', folder / name], capture_output=True, text=True, timeout=120)
+        done = subprocess.run([VPROBE, 'info', folder / name], capture_output=True, encoding='utf-8', timeout=120)
         assert done.returncode == 2 and done.stderr.count('\n') == 1, done
         for word in words:
             assert word in done.stderr, (word, done.stderr)
@@ -203,7 +203,7 @@ def xdmf_types(folder):
             f'<DataItem Dimensions="6 4 5" Format="HDF">data.h5:/{name}</DataItem></Attribute></Grid></Domain></Xdmf>')
         if name != 'never':
             compare(folder / f'{name}.xmf', reference, [('point:f', 'point:f')])
-    done = subprocess.run([VPROBE, 'info', folder / 'never.xmf'], capture_output=True, text=True)
+    done = subprocess.run([VPROBE, 'info', folder / 'never.xmf'], capture_output=True, encoding='utf-8')
     assert done.returncode == 2 and 'was never written' in done.stderr, done
 
 
@@ -277,7 +277,7 @@ def wedges(folder):
         f'   NODAL COORDINATES 1.2.1\n{listed}\nENDOFSECTION\n      ELEMENTS/CELLS 1.2.1\n 1 5 6 1 2 3 4 5 6\n'
         'ENDOFSECTION\n')
     for name in ('wedge.msh', 'wedge.neu'):
-        done = subprocess.run([VPROBE, 'check', folder / name], capture_output=True, text=True)
+        done = subprocess.run([VPROBE, 'check', folder / name], capture_output=True, encoding='utf-8')
         assert done.returncode == 0 and 'no fault' in done.stdout, done
 
 

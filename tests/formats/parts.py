@@ -123,7 +123,7 @@ def stored_rows_across(folder):
     raw = ['--raw-size', '256x280x300', '--raw-type', 'float32', '--stats', folder / 'stats.json']
     for normal, is_told in (('1 0 0', True), ('0 0 1', False)):
         done = subprocess.run([against.VPROBE, 'slice', path, *raw, '--normal', *normal.split()], capture_output=True,
-                              text=True)
+                              encoding='utf-8')
         assert done.returncode == 0 and ('convert' in done.stderr) == is_told, done
         met = json.loads((folder / 'stats.json').read_text())['parts']['met']
         assert (f'reads {met} of ' in done.stderr) == is_told, (met, done.stderr)
@@ -433,7 +433,7 @@ def stored_converted(folder):
     # A file that ends early gives no file.
     (folder / 'v.raw').write_bytes(values.astype('>i4').tobytes()[:-5])
     done = subprocess.run([against.VPROBE, 'convert', folder / 'v.raw', *raw, '-o', folder / 'short.vtkhdf',
-                                  '--memory', '2K'], capture_output=True, text=True)
+                                  '--memory', '2K'], capture_output=True, encoding='utf-8')
     assert done.returncode == 2 and done.stderr.count('\n') == 1, done
     assert not (folder / 'short.vtkhdf').exists()
 

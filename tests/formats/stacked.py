@@ -71,7 +71,7 @@ def stacks_refused(folder):
         tifffile.imwrite(folder / f'{name}.tif', numpy.zeros(shape, 'u1'), photometric='minisblack', metadata=None)
 
     def told(*arguments):
-        done = subprocess.run([VPROBE, 'info', *arguments], capture_output=True, text=True, cwd=folder)
+        done = subprocess.run([VPROBE, 'info', *arguments], capture_output=True, encoding='utf-8', cwd=folder)
         assert done.returncode in (1, 2) and done.stderr.count('\n') == 1, done
         return done.stderr
     assert 'a2.tif has another size or type than a1.tif' in told('a1.tif', 'a2.tif')
@@ -81,7 +81,7 @@ def stacks_refused(folder):
     assert 'no file' in told('c1.tif', 'demo:blob', '--inputs', 'stack')
     # Volumes are what they were: times of a series, by a pattern too.
     for given in (('c1.tif', 'c2.tif'), ('c*.tif', '--inputs', 'times')):
-        done = subprocess.run([VPROBE, 'info', '--json', *given], capture_output=True, text=True, cwd=folder)
+        done = subprocess.run([VPROBE, 'info', '--json', *given], capture_output=True, encoding='utf-8', cwd=folder)
         assert json.loads(done.stdout)['times'] == [1, 2], (given, done)
     numpy.save(folder / 'd1.npy', numpy.zeros((3, 4)))
     numpy.save(folder / 'd2.npy', numpy.zeros((4, 4)))

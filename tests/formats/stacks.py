@@ -10,7 +10,7 @@ OME = ('<?xml version="1.0"?><OME xmlns="http://www.openmicroscopy.org/Schemas/O
 
 
 def refused(path, *words):
-    done = subprocess.run([VPROBE, 'info', path], capture_output=True, text=True)
+    done = subprocess.run([VPROBE, 'info', path], capture_output=True, encoding='utf-8')
     assert done.returncode == 2 and done.stderr.count('\n') == 1, done
     for word in words:
         assert word in done.stderr, (word, done.stderr)

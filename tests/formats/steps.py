@@ -9,7 +9,7 @@ from odd import refused
 
 
 def damaged(path, *words):
-    done = subprocess.run([VPROBE, 'info', path], capture_output=True, text=True)
+    done = subprocess.run([VPROBE, 'info', path], capture_output=True, encoding='utf-8')
     assert done.returncode == 2 and done.stderr.count('\n') == 1, done
     for word in words:
         assert word in done.stderr, (word, done.stderr)
@@ -82,7 +82,7 @@ def vtk_times(folder):
             assert near(area, 9) and near(mean, step), (path, options, area, mean)
     assert info(folder / 'raw.vtr')['times'] == [0, 0.5, 1]
     assert near(means(folder / 'Ascii.vtu', 'cell:C', '--time', '0.4')[1], 20)
-    done = subprocess.run([VPROBE, 'info', folder / 'raw.vtu', '--time', '#3'], capture_output=True, text=True)
+    done = subprocess.run([VPROBE, 'info', folder / 'raw.vtu', '--time', '#3'], capture_output=True, encoding='utf-8')
     assert done.returncode == 2 and 'from #0 to #2' in done.stderr, done
     # A piece of an index, and what cannot be told apart.
     (folder / 'all.pvtu').write_text(
@@ -137,7 +137,7 @@ def empty_pieces(folder):
     refused(folder / 'none.pvtu', 'nothing to slice')
     refused(folder / 'none0.vtu', 'nothing to slice')
     done = subprocess.run([VPROBE, 'slice', folder / 'none0.vtu', folder / 'last0.vtu', *plane, '--stats', '-'],
-                          capture_output=True, text=True)
+                          capture_output=True, encoding='utf-8')
     assert done.returncode == 0 and '"area": 1.0' in done.stdout and 'is left out' in done.stderr, done
     # The same in one file, and as a block of several.
     text = (folder / 'last0.vtu').read_text()
@@ -349,7 +349,7 @@ def vtkhdf_grids(folder):
         damaged(folder / 'bad.vtkhdf', 'damaged')
     for kind in ('OverlappingAMR', 'PartitionedDataSetCollection', 'PolyData'):
         new('other.vtkhdf', kind).file.close()
-        done = subprocess.run([VPROBE, 'info', folder / 'other.vtkhdf'], capture_output=True, text=True)
+        done = subprocess.run([VPROBE, 'info', folder / 'other.vtkhdf'], capture_output=True, encoding='utf-8')
         assert done.returncode == 2 and ('poly' if kind == 'PolyData' else kind) in done.stderr, done
 
 

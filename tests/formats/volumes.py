@@ -188,7 +188,7 @@ def dicom(folder):
     compare(files[0], reference, [('point:DICOM', 'point:f')], files[1:])
     assert info(*files[3:])['grid']['points'] == 5 * 4 * 3
     (series / '2.dcm').unlink()
-    done = subprocess.run([VPROBE, 'info', series], capture_output=True, text=True)
+    done = subprocess.run([VPROBE, 'info', series], capture_output=True, encoding='utf-8')
     assert done.returncode == 2 and 'a slice is missing' in done.stderr, done
 
 

@@ -204,7 +204,7 @@ def read_by_witness(spelling, path):
 
 def read_by_vprobe(path, folder, time):
     out = folder / 'out.vtm'
-    done = subprocess.run([VPROBE, 'convert', path, '-o', out, '--time', time], capture_output=True, text=True)
+    done = subprocess.run([VPROBE, 'convert', path, '-o', out, '--time', time], capture_output=True, encoding='utf-8')
     assert done.returncode == 0, done.stderr
     reader = vtkXMLGenericDataObjectReader()
     reader.SetFileName(str(next((folder / 'out').iterdir())))

@@ -21,7 +21,7 @@ def need(*modules):
 
 
 def run(*arguments):
-    return subprocess.run([VPROBE, *map(str, arguments)], capture_output=True, text=True)
+    return subprocess.run([VPROBE, *map(str, arguments)], capture_output=True, encoding='utf-8')
 
 
 def info(path, *options):

@@ -380,7 +380,7 @@ def make_map(spelling, path):
 
 def convert(path, folder, time):
     out = folder / 'out.vtm'
-    done = subprocess.run([VPROBE, 'convert', path, '-o', out, '--time', time], capture_output=True, text=True)
+    done = subprocess.run([VPROBE, 'convert', path, '-o', out, '--time', time], capture_output=True, encoding='utf-8')
     assert done.returncode == 0, done.stderr
     reader = vtkXMLGenericDataObjectReader()
     reader.SetFileName(str(next((folder / 'out').iterdir())))
@@ -502,7 +502,7 @@ def write_enhanced(path, values, frames):
 def figures(path, *options):
     """Of a sheet across the frames: area, mean and what is told; or the exit code and the line."""
     done = subprocess.run([VPROBE, 'slice', path, '--normal', 'x', '--origin', '2', '2', '0.5', '--stats', '-', *options],
-                          capture_output=True, text=True)
+                          capture_output=True, encoding='utf-8')
     if done.returncode:
         return done.returncode, done.stderr
     sheet = json.loads(done.stdout)['sheets'][0]
@@ -530,7 +530,7 @@ def by_hand(folder):
     heart = write_enhanced(one('heart'), [1, 1, 5, 5], [
         frame(z, CardiacSynchronizationSequence={'NominalCardiacTriggerDelayTime': float(t)})
         for t in (0, 250) for z in (0, 2)])
-    about = json.loads(subprocess.run([VPROBE, 'info', heart, '--json'], capture_output=True, text=True).stdout)
+    about = json.loads(subprocess.run([VPROBE, 'info', heart, '--json'], capture_output=True, encoding='utf-8').stdout)
     assert about['times'] == [0, 0.25] and about['time_units'] == 's', about
     assert figures(heart, '--time', '0.05')[:2] == (6, 1) and figures(heart, '--time', '0.25')[:2] == (6, 5)
     echoes = write_enhanced(one('echoes'), [1, 5, 1, 5], [frame(z, MREchoSequence={'EffectiveEchoTime': float(echo)})

@@ -387,7 +387,7 @@ def compare(seed, folder):
     times = sorted({time for times, _, _ in case.sets.values() for time in times.tolist()})
     time = case.rand.choice(times) if times else 0.0
     done = subprocess.run([VPROBE, 'convert', folder / 'a.case', '-o', folder / 'out.vtm', '--time', repr(time)],
-                          capture_output=True, text=True)
+                          capture_output=True, encoding='utf-8')
     assert done.returncode == 0, done.stderr
     used = {case.model_set} | {number for _, _, number, _ in case.variables.values()}
     used.discard(None)

@@ -91,7 +91,7 @@ def write_views(rand, numbers, path, place_of, elements):
 
 
 def read_by_vprobe(path, folder, *options):
-    done = subprocess.run([VPROBE, 'convert', path, '-o', folder / 'out.vtu', *options], capture_output=True, text=True)
+    done = subprocess.run([VPROBE, 'convert', path, '-o', folder / 'out.vtu', *options], capture_output=True, encoding='utf-8')
     assert done.returncode == 0, done.stderr
     reader = vtkXMLUnstructuredGridReader()
     reader.SetFileName(str(folder / 'out.vtu'))

@@ -110,7 +110,7 @@ def write(rand, numbers, folder):
 
 
 def read_by_vprobe(path, folder):
-    done = subprocess.run([VPROBE, 'convert', path, '-o', folder / 'out.vtm'], capture_output=True, text=True)
+    done = subprocess.run([VPROBE, 'convert', path, '-o', folder / 'out.vtm'], capture_output=True, encoding='utf-8')
     assert done.returncode == 0, (path.name, done.stderr)
     points, centers, point_data, cell_data = [], [], {}, {}
     for file in sorted((folder / 'out').iterdir()):
