@@ -233,7 +233,7 @@ try
 	}
 	set.unplaced = unplaced;
 	if (unplaced > 0)
-		vp::warn("{}", vp::read::unplacedNote(unplaced));
+		vp::warn("{}", vp::read::unplacedWarning(unplaced).text());
 	// As for files: what further cuts need waits for them. A mixture of listed and other grids does not wait.
 	const auto isListed = [](const vp::grid::Block& block) { return !vp::grid::hasNeighbors(block); };
 	if (std::ranges::none_of(set.blocks, isListed))

@@ -49,8 +49,8 @@ Status convert(const std::string& input, const ReadOptions& options, const std::
 		return unusable(input, checked.error());
 	noteFiles(*checked);
 	noteSandbox(checked->sandbox);
-	for (const std::string& warning : checked->warnings)
-		warn("{}: {}", input, warning);
+	for (const ReadWarning& warning : checked->warnings)
+		warn("{}: {}", input, warning.text());
 	return Nothing{};
 }
 

@@ -44,7 +44,7 @@ public:
 		input.time_units = wordsOf(manifest.value("time_units", json("")));
 		for (const json& warning : manifest.at("warnings"))
 			if (input.warnings.size() < kMaxWarnings)
-				input.warnings.push_back(wordsOf(warning));
+				input.warnings.push_back(warningOf(warning));
 		for (const json& file : manifest.value("files", json::array()))
 			input.files.push_back(file.get<std::string>());
 		input.sandbox = wordsOf(manifest.value("sandbox", json("")));
@@ -67,7 +67,7 @@ public:
 				input.patches.push_back(checkPatch(patch));
 		input.unplaced = unplaced_;
 		if (unplaced_ > 0)
-			input.warnings.push_back(unplacedNote(unplaced_));
+			input.warnings.push_back(unplacedWarning(unplaced_));
 		return input;
 	}
 

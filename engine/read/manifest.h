@@ -8,6 +8,7 @@
 #include "grid/structured.h"
 #include "grid/unstructured.h"
 #include "read/mapping.h"
+#include "read/read_warning.h"
 
 #include <array>
 #include <cstddef>
@@ -66,7 +67,7 @@ struct CheckedInput
 	std::vector<double> times;
 	std::string time_units{};
 	std::size_t levels = 1; // resolutions that the file has
-	std::vector<std::string> warnings;
+	std::vector<ReadWarning> warnings;
 	std::vector<std::string> files; // that were read
 	std::size_t left_out = 0;
 	std::size_t unplaced = 0;       // cells that were left out, since a point of theirs has no place

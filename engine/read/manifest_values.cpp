@@ -58,6 +58,13 @@ std::string wordsOf(const json& value)
 	return words;
 }
 
+ReadWarning warningOf(const json& value)
+{
+	if (value.is_object())
+		return {countOf(value.at("count")), wordsOf(value.at("words"))};
+	return {.words = wordsOf(value)};
+}
+
 NumberType numberTypeOf(const std::string& name)
 {
 	for (int type = 0; type <= static_cast<int>(NumberType::float64); ++type)

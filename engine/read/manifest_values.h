@@ -4,6 +4,7 @@
 #include "grid/imaging.h"
 #include "grid/points.h"
 #include "read/mapping.h"
+#include "read/read_warning.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -23,6 +24,8 @@ double finiteOf(const nlohmann::json& value);
 Vec3 vectorOf(const nlohmann::json& value);
 // Returns a text without control characters, cut to a length that a message may have.
 std::string wordsOf(const nlohmann::json& value);
+
+ReadWarning warningOf(const nlohmann::json& value);
 grid::NumberType numberTypeOf(const std::string& name);
 
 // Returns the bytes of an array that holds so many numbers of its type.

@@ -214,10 +214,14 @@ void removeUnplaced(grid::PatchPolygons& polygons)
 	polygons.corners = Array(std::move(corners));
 }
 
-std::string unplacedNote(std::size_t cells)
+ReadWarning unplacedWarning(std::size_t cells)
 {
-	return fmt::format("{} cell{} left out: a point of {} has coordinates that are not finite, or larger than 1e50",
-	                   cells, cells == 1 ? " is" : "s are", cells == 1 ? "it" : "each");
+	const auto words = [](const char* cells_are, const char* each)
+	{
+		return fmt::format("{} left out: a point of {} has coordinates that are not finite, or larger than 1e50",
+		                   cells_are, each);
+	};
+	return {cells, words("cells are", "each"), words("cell is", "it")};
 }
 
 } // namespace vp::read

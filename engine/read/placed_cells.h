@@ -2,6 +2,7 @@
 
 #include "read/check_mesh.h"
 #include "read/manifest.h"
+#include "read/read_warning.h"
 
 #include <array>
 #include <cstddef>
@@ -34,7 +35,7 @@ std::size_t takePlacedLattice(const std::array<std::uint32_t, 3>& lattice, grid:
 /// Removes the polygons that have a point without a place. Precondition: checkPolygons().
 void removeUnplaced(grid::PatchPolygons& polygons);
 
-/// The line that tells of cells that were left out.
-std::string unplacedNote(std::size_t cells);
+/// The warning that tells of cells that were left out.
+ReadWarning unplacedWarning(std::size_t cells);
 
 } // namespace vp::read

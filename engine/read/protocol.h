@@ -26,8 +26,9 @@ namespace vp::read
 // blocks, which nobody needs after the grid is built, kArraysFd everything else. A JSON manifest that describes them
 // goes to kManifestFd:
 //
-//   {"version", "times": [..], "left_out": cells, "warnings": [..], "files": those that were read, "bytes_read": by the
-//   child from files, "levels": how many the file has, if there are several, "blocks": [{"name", "kind", "arrays":
+//   {"version", "times": [..], "left_out": cells, "warnings": [words, or {"count", "words"}, ..], "files": those that
+//   were read, "bytes_read": by the child from files, "levels": how many the file has, if there are several, "blocks":
+//   [{"name", "kind", "arrays":
 //   [..], ..}],
 //    "patches": [{"name", "coordinates": array, "starts": array, "corners": array}]},
 //   "patches" only on request; where PARTS is not empty, "parts": [{"cells",
@@ -58,7 +59,7 @@ namespace vp::read
 // standard input; kCellsFd then has three uint64 for each of them: offset, size, left out filters, or its number and
 // two zeros. The parts go to kArraysFd, one behind the other from its beginning, and when all are there, their number
 // as a uint64 to kManifestFd.
-constexpr int kProtocolVersion = 15;
+constexpr int kProtocolVersion = 16;
 constexpr int kArraysFd = 3;
 constexpr int kManifestFd = 4;
 constexpr int kCellsFd = 5;

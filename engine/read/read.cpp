@@ -25,6 +25,7 @@ namespace
 struct PartsRead
 {
 	std::vector<std::size_t> of_block; // the number of the part that each block is of
+	std::vector<InputWarning> warnings;
 	std::uint64_t bytes_read = 0;
 };
 
@@ -36,8 +37,14 @@ Result<grid::BlockSet> readFile(ReadAhead& inputs, Timeline* timeline, PartsRead
 	Result<CheckedInput> input = inputs.read(timeline);
 	if (!input)
 		return input.error();
-	for (const std::string& warning : input->warnings)
-		warn("{}: {}", name_of_file, warning);
+	for (ReadWarning& warning : input->warnings)
+	{
+		InputWarning found{name_of_file, std::move(warning)};
+		if (parts)
+			parts->warnings.push_back(std::move(found));
+		else
+			tell(found);
+	}
 
 	TimedSection timed(timeline, "build");
 	const std::string stem = std::filesystem::path(name_of_file).stem().string();
@@ -262,6 +269,11 @@ Result<PartList> listParts(const std::vector<std::string>& inputs, const ReadOpt
 	return list;
 }
 
+void tell(const InputWarning& warning)
+{
+	warn("{}: {}", warning.input, warning.warning.text());
+}
+
 Result<PartBlocks> readParts(const std::vector<std::string>& inputs, const std::vector<Part>& parts,
                              const ReadOptions& options, Timeline* timeline)
 {
@@ -292,6 +304,7 @@ Result<PartBlocks> readParts(const std::vector<std::string>& inputs, const std::
 		if (!set)
 			return set.error();
 		read.bytes_read += found.bytes_read;
+		std::ranges::move(found.warnings, std::back_inserter(read.warnings));
 		found.of_block.resize(set->blocks.size(), 0); // those of a built-in data set
 		for (const std::size_t number : found.of_block)
 			read.of_block.push_back(*std::ranges::find(of_input, number, &Part::number));

@@ -3,6 +3,7 @@
 #include "base/result.h"
 #include "grid/block.h"
 #include "read/raw_layout.h"
+#include "read/read_warning.h"
 #include "read/tolerance.h"
 
 #include <cstdint>
@@ -139,12 +140,22 @@ struct PartList
 // and hands nothing over.
 Result<PartList> listParts(const std::vector<std::string>& inputs, const ReadOptions& options, Timeline* timeline);
 
+struct InputWarning
+{
+	std::string input;
+	ReadWarning warning;
+};
+
+// Warns.
+void tell(const InputWarning& warning);
+
 // Blocks that were read, and for each of them the part that it is of.
 struct PartBlocks
 {
 	grid::BlockSet set;
 	std::vector<Part> of_block;
-	std::uint64_t bytes_read = 0; // by the readers, from files
+	std::vector<InputWarning> warnings; // not told yet: another process may read more parts of the same file
+	std::uint64_t bytes_read = 0;       // by the readers, from files
 };
 
 // Reads some of the parts, as readInputs() does. The blocks of the parts come in the order of the list; a part without

@@ -151,6 +151,26 @@ def test_a_turned_image_stays_whole(same_figures, tmp_path):
     assert sorted(rank['parts'] for rank in told['ranks']) == [0, 0, 1]
 
 
+def test_what_is_left_out_is_counted_over_all_ranks(programs, tmp_path):
+    """Three hidden cells in each of four pieces, and two cells with a point without a place, in different pieces."""
+    grid = pieces.hexahedra(8)
+    slabs = pieces.slabs(grid, 4)
+    marks = np.zeros(grid.GetNumberOfCells(), dtype=np.uint8)
+    for slab in slabs:
+        marks[slab[10:13]] = 32  # hidden
+    marks = pieces.numpy_to_vtk(marks, deep=True)
+    marks.SetName('vtkGhostType')
+    grid.GetCellData().AddArray(marks)
+    for point in (0, grid.GetNumberOfPoints() - 1):  # corners of the grid
+        grid.GetPoints().SetPoint(point, np.nan, 0, 0)
+    asked = ('slice', pieces.write_pvtu(tmp_path, grid, slabs), *OBLIQUE, '-o')
+    plain = programs.plain(*asked, tmp_path / 'plain.csv').stderr
+    assert '12 ghost or hidden cells are left out' in plain and '2 cells are left out: a point of each' in plain
+    for ranks in (2, 4):
+        mpi = programs.mpi(ranks, *asked, tmp_path / 'mpi.csv').stderr
+        assert mpi.replace('vprobe-mpi: ', 'vprobe: ') == plain
+
+
 def test_hidden_cells_stay_whole(same_figures, tmp_path):
     image = image_of(6)
     marks = vtk.vtkUnsignedCharArray()

@@ -135,7 +135,7 @@ json Writer::describeArrays(vtkDataSet* points, vtkDataSet* cells)
 	{
 		const char* name = array && array->GetName() ? array->GetName() : "";
 		std::string line = fmt::format("the {} array {} holds no numbers and is not shown", association, name);
-		if (std::ranges::find(warnings_, line) == warnings_.end())
+		if (!hasWarned(line))
 			warn(std::move(line));
 	};
 	const auto describeAll = [&](vtkFieldData* fields, const char* association, vtkIdType tuples)

@@ -88,8 +88,24 @@ std::vector<vtkSmartPointer<vtkDataSet>> Writer::collect(const std::function<voi
 // Files of one kind say the same of themselves.
 void Writer::warn(std::string line)
 {
-	if (!collected_ || std::find(warnings_.begin(), warnings_.end(), line) == warnings_.end())
-		warnings_.push_back(std::move(line));
+	if (!collected_ || !hasWarned(line))
+		warnings_.push_back({.words = std::move(line)});
+}
+
+bool Writer::hasWarned(const std::string& line) const
+{
+	return std::ranges::find(warnings_, line, &read::ReadWarning::words) != warnings_.end();
+}
+
+json Writer::warningsJson() const
+{
+	json warnings = json::array();
+	for (const read::ReadWarning& warning : warnings_)
+		if (warning.count > 0)
+			warnings.push_back({{"count", warning.count}, {"words", warning.words}});
+		else
+			warnings.push_back(warning.words);
+	return warnings;
 }
 
 void Writer::addPatches(vtkDataObject* object)
@@ -264,12 +280,11 @@ void Writer::refuseOtherLevel(std::size_t level) const
 std::string Writer::finish()
 {
 	for (const auto& [type, cells] : counts_.not_sliced)
-		warnings_.push_back(fmt::format("{} cells of type {} are not shown", cells, typeName(type)));
+		warnings_.push_back({cells, fmt::format("cells of type {} are not shown", typeName(type))});
 	if (counts_.hidden > 0)
-		warnings_.push_back(fmt::format("{} ghost or hidden cells are left out", counts_.hidden));
+		warnings_.push_back({counts_.hidden, "ghost or hidden cells are left out"});
 	if (counts_.trimmed > 0)
-		warnings_.push_back(
-		    fmt::format("{} cells list more points than their type has; the first ones are used", counts_.trimmed));
+		warnings_.push_back({counts_.trimmed, "cells list more points than their type has; the first ones are used"});
 	if (blocks_.empty() && !parts_.filters())
 	{
 		if (!counts_.not_sliced.empty())
@@ -287,16 +302,10 @@ std::string Writer::finish()
 	if (std::string note = displacement_.note(); !note.empty())
 		warn(std::move(note));
 	for (std::string& note : checks::takeNotes())
-		warnings_.push_back(std::move(note));
-	json manifest = {{"version", read::kProtocolVersion},
-	                 {"times", times_},
-	                 {"left_out", counts_.flat},
-	                 {"warnings", warnings_},
-	                 {"files", filesRead()},
-	                 {"sandbox", sandbox_},
-	                 {"bytes_read", bytesRead()},
-	                 {"blocks", blocks_},
-	                 {"patches", patches_}};
+		warnings_.push_back({.words = std::move(note)});
+	json manifest = {{"version", read::kProtocolVersion}, {"times", times_},      {"left_out", counts_.flat},
+	                 {"warnings", warningsJson()},        {"files", filesRead()}, {"sandbox", sandbox_},
+	                 {"bytes_read", bytesRead()},         {"blocks", blocks_},    {"patches", patches_}};
 	if (parts_.filters())
 	{
 		if (parts_.parts().empty())

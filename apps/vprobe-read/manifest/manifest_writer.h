@@ -2,6 +2,7 @@
 
 #include "grid/imaging.h"
 #include "read/protocol.h"
+#include "read/read_warning.h"
 #include "vprobe-read/arrays/array_writer.h"
 #include "vprobe-read/base/array_wish.h"
 #include "vprobe-read/base/part_filter.h"
@@ -92,6 +93,8 @@ private:
 	vtkSmartPointer<vtkDataSet> withWishedArrays(vtkDataSet* given, nlohmann::json& left_out) const;
 	std::string fullName(const std::string& name) const;
 	void addBlock(const std::string& name, nlohmann::json block);
+	bool hasWarned(const std::string& line) const;
+	nlohmann::json warningsJson() const;
 
 	void keep(const std::string& name, vtkDataSet* data);
 
@@ -104,7 +107,7 @@ private:
 	nlohmann::json blocks_ = nlohmann::json::array();
 	nlohmann::json patches_ = nlohmann::json::array();
 	std::vector<double> times_;
-	std::vector<std::string> warnings_;
+	std::vector<read::ReadWarning> warnings_;
 	std::string sandbox_;
 	std::string length_units_;
 	grid::Imaging imaging_;

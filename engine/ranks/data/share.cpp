@@ -3,6 +3,7 @@
 #include "grid/cell_places.h"
 #include "ranks/data/imaging_message.h"
 #include "ranks/data/join_pieces.h"
+#include "ranks/data/warnings_of_all.h"
 
 #include <fmt/format.h>
 
@@ -338,6 +339,8 @@ Result<grid::BlockSet> readShare(Team& team, const std::vector<std::string>& inp
 	{
 		return Error{ErrorKind::input, fmt::format("{}: {}", fmt::join(inputs, ", "), wrong.what())};
 	}
+	for (const read::InputWarning& warning : warningsOfAll(team, read->warnings))
+		read::tell(warning);
 	share.bytes_read += read->bytes_read;
 	const bool has_interfaces = !read->set.interfaces.blocks.empty();
 	share.own_parts = own.size();

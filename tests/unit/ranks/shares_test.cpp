@@ -1,5 +1,6 @@
 // The share of a data set that each rank reads, and the figures that the ranks tell together.
 #include "parted_lattice.h"
+#include "ranks/data/warnings_of_all.h"
 #include "ranks/picture/merged_layers.h"
 #include "ranks/picture/surroundings.h"
 #include "ranks/write/joined_stats.h"
@@ -98,6 +99,27 @@ TEST(Shares, EachBlockIsAtOneRank)
 			                });
 			EXPECT_EQ(held, std::vector<int>(whole.blocks.size(), 1)) << size;
 		}
+}
+
+// What readers of several ranks say in the same words of one input is told once. Counts are added.
+TEST(Shares, WarningsOfAllRanksAreToldOnce)
+{
+	ranks::withTeam(3,
+	                [](ranks::Team& team)
+	                {
+		                const auto rank = static_cast<std::uint64_t>(team.rank());
+		                std::vector<read::InputWarning> own{{"a.pvtu", {rank + 1, "cells are hidden"}}};
+		                if (rank > 0)
+			                own.push_back({"a.pvtu", {.words = "its times differ"}});
+		                if (rank == 2)
+			                own.push_back({"b.pvtu", {1, "cells are hidden", "cell is hidden"}});
+		                std::vector<std::string> told;
+		                for (const read::InputWarning& warning : ranks::warningsOfAll(team, own))
+			                told.push_back(warning.input + ": " + warning.warning.text());
+		                const std::vector<std::string> expected{"a.pvtu: 6 cells are hidden",
+		                                                        "a.pvtu: its times differ", "b.pvtu: 1 cell is hidden"};
+		                EXPECT_EQ(told, expected);
+	                });
 }
 
 // Settings that ranks cannot carry out as one process does are refused by name. One process carries out all of them.

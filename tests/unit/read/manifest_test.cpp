@@ -368,7 +368,7 @@ TEST(Manifest, WithCoordinatesThatAreNoNumbersLosesCellsOrIsRefused)
 	{
 		const auto checked = made.check(made.text());
 		EXPECT_TRUE(checked) << (checked ? "" : checked.error().message);
-		return checked && !checked->warnings.empty() ? checked->warnings.back() : std::string();
+		return checked && !checked->warnings.empty() ? checked->warnings.back().text() : std::string();
 	};
 	for (const double value : {std::nan(""), HUGE_VAL, -HUGE_VAL})
 	{
