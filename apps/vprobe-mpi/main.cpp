@@ -39,8 +39,10 @@ int main(int argc, char** argv)
 	vp::app::MpiTeam team(&argc, &argv);
 	vp::app::setTeam(&team);
 	processes = &team;
-	constexpr vp::app::AddCommand kCommands[] = {vp::app::addSlice, vp::app::addRender, vp::app::addSweep,
-	                                             vp::app::addProfile};
+	constexpr vp::app::Command kCommands[] = {{"slice", vp::app::addSlice},
+	                                          {"render", vp::app::addRender},
+	                                          {"sweep", vp::app::addSweep},
+	                                          {"profile", vp::app::addProfile}};
 	const vp::app::Program program{
 	    "vprobe-mpi", "Volume probes in data whose parts are spread over processes: mpiexec -n N vprobe-mpi COMMAND …",
 	    "The commands and options are those of vprobe. Each process reads and cuts a share of the input's pieces or\n"

@@ -6,8 +6,8 @@
 
 int main(int argc, char** argv)
 {
-	constexpr vp::app::AddCommand kCommands[] = {
-#define VP_ADD(add) vp::app::add,
+	constexpr vp::app::Command kCommands[] = {
+#define VP_ADD(name, add) {name, vp::app::add},
 	    VP_COMMANDS(VP_ADD)
 #undef VP_ADD
 	};

@@ -103,6 +103,18 @@ std::string sandboxOfReader()
 	return held ? *held : fmt::format("not known ({})", held.error().message);
 }
 
+// Adds the command that the arguments begin with, since all of them take milliseconds; or all where there is none, and
+// for the manual, which tells of all.
+void addCommands(const Program& program, const std::vector<std::string>& arguments, CLI::App& app, Run& run)
+{
+	const std::string_view asked = arguments.empty() ? std::string_view() : arguments.front();
+	const bool is_command = asked != "manual" && std::ranges::any_of(program.commands, [&](const Command& command)
+	                                                                 { return command.name == asked; });
+	for (const Command& command : program.commands)
+		if (!is_command || command.name == asked)
+			command.add(app, run);
+}
+
 // Commands whose result a script may rely on.
 void addStrict(CLI::App& app, bool& is_strict)
 {
@@ -172,15 +184,10 @@ int runCommand(const Program& program, int argc, char** argv)
 	const auto progress = isFirst() ? std::make_unique<ProgressLine>() : nullptr;
 	endOnSignals();
 	std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large shows as an error of the write
-	Run run;
-	for (const auto add : program.commands)
-		add(app, run);
-	addStrict(app, said.is_strict);
-
 	// CLI11 would say that a command is missing, not that this word is not a command.
 	std::vector<std::string> commands;
-	for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
-		commands.push_back(command->get_name());
+	for (const Command& command : program.commands)
+		commands.emplace_back(command.name);
 	const Result<std::vector<std::string>> arguments =
 	    withCommand({argv + 1, argv + argc}, commands, program.opens_files);
 	if (!arguments)
@@ -189,6 +196,9 @@ int runCommand(const Program& program, int argc, char** argv)
 	if (program.hand_over && !arguments->empty() && argc > 1 && arguments->front() != argv[1])
 		program.hand_over(argv[0], *arguments); // for a command that was not written
 	setCommandLine(*arguments);
+	Run run;
+	addCommands(program, *arguments, app, run);
+	addStrict(app, said.is_strict);
 	try
 	{
 		app.parse(joinNumbers(*arguments));

@@ -10,7 +10,12 @@
 namespace vp::app
 {
 
-using AddCommand = void (*)(CLI::App& program, Run& run);
+// A subcommand, and the function that adds it to a program.
+struct Command
+{
+	std::string_view name;
+	void (*add)(CLI::App& program, Run& run);
+};
 
 // A program of subcommands. It holds literals alone: main() asks for no memory, since nobody is there yet to say that
 // it ran out.
@@ -19,7 +24,7 @@ struct Program
 	std::string_view name;
 	std::string_view about;
 	std::string_view footer;
-	std::span<const AddCommand> commands;
+	std::span<const Command> commands;
 	// Reports why the program ends: a line, and its exit code.
 	void (*fail)(const std::string& line, ExitCode code);
 	bool opens_files = false; // an input without a command is viewed, or rendered

@@ -7,7 +7,7 @@
 
 int main(int argc, char** argv)
 {
-	constexpr vp::app::AddCommand kCommands[] = {vp::app::addView};
+	constexpr vp::app::Command kCommands[] = {{"view", vp::app::addView}};
 	const vp::app::Program program{"vprobe", // whose command it is: in messages, and in the help
 	                               vp::app::kAbout, vp::app::kFooter, kCommands,
 	                               [](const std::string& line, vp::app::ExitCode) { vp::app::printLine(line); }};
