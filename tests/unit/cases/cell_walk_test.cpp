@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <random>
+#include <set>
 
 namespace vp::cases
 {
@@ -179,6 +181,51 @@ TEST(CellWalk, ManyRunsOnOneFace)
 	const CellCut joined = walk(facesOf(lists), positive, true);
 	EXPECT_EQ(joined.polygons(), n / 2);
 	EXPECT_EQ(joined.edges.size(), 2u * n);
+}
+
+// Two cubes that share an edge alone, as one cell: four faces meet there. Whatever the order of the faces, polygons go
+// through each face once, from where its rim leaves the positive side to where it comes back.
+TEST(CellWalk, FacesThatMeetAtAnEdgeTwice)
+{
+	// Points 0 to 7 are one cube; the other one has its edge 2 6, and 8 to 13.
+	std::vector<std::vector<int>> lists{{0, 3, 2, 1},  {4, 5, 6, 7},   {0, 1, 5, 4},    {1, 2, 6, 5},
+	                                    {2, 3, 7, 6},  {3, 0, 4, 7},   {2, 10, 9, 8},   {6, 11, 12, 13},
+	                                    {2, 8, 11, 6}, {8, 9, 12, 11}, {9, 10, 13, 12}, {10, 2, 6, 13}};
+	std::vector<std::uint8_t> positive(14, 0);
+	for (const int top : {4, 5, 6, 7, 11, 12, 13})
+		positive[top] = 1;
+	std::mt19937 random(3);
+	for (int order = 0; order < 50; ++order)
+	{
+		std::shuffle(lists.begin(), lists.end(), random);
+		std::multiset<std::array<int, 4>> expected;
+		for (const std::vector<int>& face : lists)
+		{
+			std::array<int, 4> ways{};
+			for (std::size_t i = 0; i < 4; ++i)
+			{
+				const int here = face[i];
+				const int next = face[(i + 1) % 4];
+				if (positive[here] > positive[next])
+					ways[0] = here, ways[1] = next;
+				else if (positive[here] < positive[next])
+					ways[2] = next, ways[3] = here;
+			}
+			if (ways != std::array<int, 4>{})
+				expected.insert(ways);
+		}
+		const CellCut cut = walk(facesOf(lists), positive, false);
+		EXPECT_FALSE(cut.open);
+		std::multiset<std::array<int, 4>> found;
+		for (int p = 0; p < cut.polygons(); ++p)
+			for (std::uint32_t e = cut.starts[p]; e < cut.starts[p + 1]; ++e)
+			{
+				const CutEdge& from = cut.edges[e];
+				const CutEdge& to = cut.edges[e + 1 < cut.starts[p + 1] ? e + 1 : cut.starts[p]];
+				found.insert({from.positive, from.negative, to.positive, to.negative});
+			}
+		EXPECT_EQ(found, expected) << order;
+	}
 }
 
 TEST(CellWalk, FaceThatGoesRoundForever)
