@@ -1,6 +1,8 @@
 """A rank that fails ends all soon, with one line, and leaves nothing half-written."""
+import subprocess
 import time
 
+import numpy as np
 import pytest
 
 import pieces
@@ -36,6 +38,28 @@ def test_a_damaged_piece_names_the_rank_that_reads_it(programs, case, tmp_path):
     out = tmp_path / 'out.vtp'
     assert 'rank 2: ' in fails(programs, 4, 'slice', case, '-o', out)
     assert not out.exists()
+
+
+@pytest.mark.parametrize('change', ['no file', 'array', 'kind'])
+def test_a_piece_that_the_index_describes_otherwise(programs, case, tmp_path, change):
+    """One process and several refuse it in the same words."""
+    if change == 'no file':
+        case.write_text(case.read_text().replace('Source="piece2.vtu"', ''))
+    elif change == 'array':
+        case.write_text(case.read_text().replace('<PPointData>',
+                                                 '<PPointData><PDataArray type="Float64" Name="w"/>'))
+    else:
+        image = pieces.vtk.vtkImageData()
+        image.SetDimensions(3, 3, 3)
+        pieces.add_arrays(image, np.array([image.GetPoint(i) for i in range(27)]))
+        pieces.write(pieces.vtk.vtkXMLImageDataWriter(), image, tmp_path / 'piece2.vti')
+        case.write_text(case.read_text().replace('piece2.vtu', 'piece2.vti'))
+    words = {'no file': 'one of its <Piece> elements names no file; give it the attribute Source',
+             'array': 'has no point array w, which the index names; write it there',
+             'kind': 'its piece piece2.vti is no UnstructuredGrid, as the index says'}[change]
+    assert words in fails(programs, 3, 'slice', case)
+    plain = subprocess.run([programs.program, 'slice', case], capture_output=True, encoding='utf-8', check=False)
+    assert plain.returncode == 2 and words in plain.stderr
 
 
 def test_an_array_that_no_block_has(programs, case):

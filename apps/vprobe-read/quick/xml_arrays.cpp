@@ -322,9 +322,9 @@ std::vector<std::string> giveOwnNames(text::XmlElement& data)
 	return {lines.begin(), lines.end()};
 }
 
-std::map<std::string, std::string> fieldsOf(const text::XmlElement& piece)
+Fields fieldsOf(const text::XmlElement& piece)
 {
-	std::map<std::string, std::string> fields;
+	Fields fields;
 	for (const text::XmlElement& section : piece.children)
 		if (holdsFields(section))
 			for (const text::XmlElement& array : section.children)
@@ -336,12 +336,12 @@ std::map<std::string, std::string> fieldsOf(const text::XmlElement& piece)
 
 void refuseOtherFields(const text::XmlElement& data)
 {
-	std::optional<std::map<std::string, std::string>> first;
+	std::optional<Fields> first;
 	for (const text::XmlElement& child : data.children)
 	{
 		if (child.name != "Piece")
 			continue;
-		const std::map<std::string, std::string> fields = fieldsOf(child);
+		const Fields fields = fieldsOf(child);
 		if (!first)
 			first = fields;
 		const auto other = std::ranges::mismatch(*first, fields);

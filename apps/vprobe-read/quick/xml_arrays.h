@@ -54,7 +54,8 @@ std::vector<std::string> giveOwnNames(text::XmlElement& data);
 
 // Returns the point and cell arrays of a piece, or those that an index of pieces names: "point array c", with its type
 // and number of components.
-std::map<std::string, std::string> fieldsOf(const text::XmlElement& piece);
+using Fields = std::map<std::string, std::string>;
+Fields fieldsOf(const text::XmlElement& piece);
 // Throws a Refusal unless all pieces of a file have the same arrays. VTK's reader would return uninitialized memory for
 // missing ones.
 void refuseOtherFields(const text::XmlElement& data);

@@ -334,6 +334,22 @@ TEST(Xml, PiecesThatAreMissingAreNamed)
 	EXPECT_EQ(refusal(folder / "a.pvtu"), "its piece " + folder / "gone.vtu" + " cannot be opened; keep them together");
 }
 
+// Read as one, and by a process of several, which asks for the first part alone.
+TEST(Xml, PiecesWithoutAFileAreRefused)
+{
+	const TemporaryFolder folder;
+	write(folder / "piece.vtu", rowOf({VTK_HEXAHEDRON}));
+	writeContents(folder / "a.pvtu",
+	              "<VTKFile type=\"PUnstructuredGrid\" version=\"0.1\"><PUnstructuredGrid GhostLevel=\"0\">"
+	              "<PPoints><PDataArray type=\"Float32\" NumberOfComponents=\"3\"/></PPoints>"
+	              "<Piece Source=\"piece.vtu\"/><Piece/></PUnstructuredGrid></VTKFile>");
+	const std::string words = "one of its <Piece> elements names no file; give it the attribute Source";
+	EXPECT_EQ(refusal(folder / "a.pvtu"), words);
+	const auto listed = read::listParts({folder / "a.pvtu"}, {}, nullptr);
+	ASSERT_FALSE(listed);
+	EXPECT_NE(listed.error().message.find(words), std::string::npos) << listed.error().message;
+}
+
 TEST(Xml, PiecesMayHaveOtherNumberTypesThanTheirIndex)
 {
 	const TemporaryFolder folder;

@@ -3,6 +3,7 @@
 #include "vprobe-read/base/is_one_of.h"
 #include "vprobe-read/base/mapped_text.h"
 #include "vprobe-read/base/refusal.h"
+#include "vprobe-read/formats/vtk/piece_checks.h"
 #include "vprobe-read/manifest/time_choice.h"
 #include "vprobe-read/quick/xml_copy.h"
 #include "vprobe-read/text/text_cursor.h"
@@ -156,6 +157,7 @@ PlainXml::PlainXml(const Request& request) : request_(request), data_files_{requ
 	has_unknown_text_ = !data && mapped.text().find("\"ascii\"") != std::string_view::npos;
 	if (!data)
 		return; // which VTK's parser has to tell about
+	type_ = data->name;
 	if (isOneOf(data->name,
 	            {"ImageData", "RectilinearGrid", "StructuredGrid", "UnstructuredGrid", "PolyData", "HyperTreeGrid"}))
 		takeData(*xml, mapped.text());
@@ -284,25 +286,26 @@ void PlainXml::takeIndex(const text::XmlFile& given, std::string_view text)
 	data_files_.clear();
 	std::vector<double> times;
 	const std::vector<std::string> names = quick::giveOwnNames(data);
-	const std::map<std::string, std::string> fields = quick::fieldsOf(data);
+	const quick::Fields fields = quick::fieldsOf(data);
 	std::erase_if(data.children,
 	              [&](text::XmlElement& piece)
 	              {
-		              if (!isPieceElement(piece) || !piece.has("Source"))
+		              if (!isPieceElement(piece))
 			              return false;
+		              if (!piece.has("Source"))
+			              refusePieceWithoutFile();
 		              Request of_piece = request_;
 		              of_piece.file = (fs::absolute(request_.file).parent_path() / piece.attribute("Source")).string();
 		              PlainXml plain(of_piece);
+		              if (!plain.type_.empty())
+			              refuseOtherKind(data.name, plain.type_, piece.attribute("Source"));
 		              times.insert(times.end(), plain.times().begin(), plain.times().end());
 		              warn(plain.warnings());
 		              const bool is_empty = plain.isEmpty() || hasNoPoints(piece);
 		              changes |= is_empty || plain.request().file != of_piece.file;
 		              if (is_empty)
 			              return true;
-		              for (const auto& [name, kind] : fields)
-			              if (!plain.fields_.contains(name))
-				              throw Refusal(fmt::format("its piece {} has no {}, which the index names; write it there",
-				                                        piece.attribute("Source"), name));
+		              refuseMissingFields(fields, plain.fields_, piece.attribute("Source"));
 		              for (auto& [name, value] : piece.attributes)
 			              if (name == "Source")
 				              value = plain.request().file;

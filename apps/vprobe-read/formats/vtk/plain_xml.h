@@ -54,7 +54,8 @@ private:
 	std::vector<std::string> data_files_;
 	std::vector<double> times_;
 	std::vector<std::string> warnings_;
-	std::map<std::string, std::string> fields_; // the fields of the pieces of a data file
+	std::string type_;     // of the data; empty if VTK has to tell about them
+	quick::Fields fields_; // the fields of the pieces of a data file
 	bool has_unknown_text_ = false;
 	bool is_empty_ = false;
 };

@@ -1,9 +1,13 @@
 // Pieces of a parallel VTK XML file, each read as a block of its own.
+#include "vprobe-read/base/mapped_text.h"
 #include "vprobe-read/base/read_files.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/checks/xml_check.h"
 #include "vprobe-read/formats/formats.h"
+#include "vprobe-read/formats/vtk/piece_checks.h"
 #include "vprobe-read/manifest/manifest_writer.h"
+#include "vprobe-read/quick/xml_arrays.h"
+#include "vprobe-read/text/xml_tree.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
@@ -103,6 +107,7 @@ const char* latticeKind(const std::string& type)
 
 struct Piece
 {
+	std::string source; // as the index spells it
 	std::string file;
 	std::optional<Extent> extent;
 };
@@ -114,15 +119,41 @@ std::vector<Piece> piecesOf(const Request& request, vtkXMLDataElement* whole)
 	{
 		vtkXMLDataElement* element = whole->GetNestedElement(i);
 		const char* source = element->GetAttribute("Source");
-		if (std::string_view(element->GetName() ? element->GetName() : "") != "Piece" || !source)
+		if (std::string_view(element->GetName() ? element->GetName() : "") != "Piece")
 			continue;
+		if (!source)
+			refusePieceWithoutFile();
 		const fs::path file = fs::path(request.file).parent_path() / source;
 		if (!fs::is_regular_file(file))
 			throw Refusal(fmt::format("its piece {} cannot be opened; keep them together", file.string()));
 		noteFile(file.c_str()); // whether or not it is read: no output may take its place
-		pieces.push_back({file.string(), extentOf(element->GetAttribute("Extent"))});
+		pieces.push_back({source, file.string(), extentOf(element->GetAttribute("Extent"))});
 	}
 	return pieces;
+}
+
+// The arrays of an index, or of a file's first piece; none where there is no piece, or none can be told.
+std::optional<quick::Fields> fieldsOfFile(const std::string& file, bool is_index)
+{
+	const MappedText mapped(file);
+	const std::optional<text::XmlFile> xml = text::parseXml(mapped.text());
+	if (!xml)
+		return std::nullopt;
+	const auto data = std::ranges::find(xml->root.children, xml->root.attribute("type"), &text::XmlElement::name);
+	if (data == xml->root.children.end())
+		return std::nullopt;
+	if (is_index)
+		return quick::fieldsOf(*data);
+	const auto piece = std::ranges::find(data->children, "Piece", &text::XmlElement::name);
+	return piece == data->children.end() ? std::nullopt : std::optional(quick::fieldsOf(*piece));
+}
+
+void refuseOtherPiece(const Piece& piece, const std::string& type, const std::optional<quick::Fields>& of_index)
+{
+	refuseOtherKind(type, formats::xmlTypeOfFile(piece.file), piece.source);
+	const std::optional<quick::Fields> of_piece = of_index ? fieldsOfFile(piece.file, false) : std::nullopt;
+	if (of_piece && cellsOfXml(piece.file) > 0) // others have no arrays to give
+		refuseMissingFields(*of_index, *of_piece, piece.source);
 }
 
 // Pieces that lie on each other have cells twice, which only the whole's reader parts.
@@ -186,6 +217,7 @@ bool readPieces(const Request& request, const std::string& type, manifest::Write
 	if (!whole)
 		throw damaged(fmt::format("it has no {} element", type));
 	const std::vector<Piece> pieces = piecesOf(request, whole);
+	const std::optional<quick::Fields> of_index = fieldsOfFile(request.file, true);
 	const std::optional<Extent> extent = extentOf(whole->GetAttribute("WholeExtent"));
 	if (kind)
 	{
@@ -206,6 +238,7 @@ bool readPieces(const Request& request, const std::string& type, manifest::Write
 		if (!manifest.parts().begin(cells))
 			continue;
 		const InsidePart inside(manifest.parts());
+		refuseOtherPiece(piece, type, of_index);
 		Request of_piece = request;
 		of_piece.file = piece.file;
 		of_piece.format.clear();
