@@ -209,7 +209,7 @@ def turned_ome_zarr(folder):
     places = {'z': 30, 'y': 20, 'x': 10}
     reference = nrrd(folder, values, 'spacings: 0.5 1 2\naxis mins: 10 20 30\n')
     ways = ({}, {'codecs': [TURNED, BIG, ZSTD]}, {'shard': (6, 8, 10), 'codecs': [GZIP]})
-    for order, number in tried(itertools.product(('xyz', 'yxz', 'zxy', 'yzx'), range(3)), 2):
+    for order, number in tried(itertools.product(('xyz', 'yxz', 'zxy', 'yzx'), range(3)), 5):
         axes = [{'name': name, 'type': 'space'} for name in order]
         level = [('0', [scales[name] for name in order], [places[name] for name in order])]
         path = folder / f'{order}{number}.zarr'

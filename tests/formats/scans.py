@@ -82,7 +82,7 @@ def stored_nifti(folder):
         place[:3, 3] = 3, 2, 1
         path = folder / f'{name}.nii'
         nibabel.save(nibabel.Nifti1Image(values, place), path)
-        same(path, planes=PLANES)
+        same(path)
         # The plane between the layers 4 and 5, as nibabel has them.
         at = place @ [8, 11, 4.5, 1]
         _, stats = table(path, ['--normal', '0', '0', '1', '--origin', *map(str, at[:3]), '--memory', '2K'])
