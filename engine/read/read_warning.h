@@ -6,7 +6,7 @@
 namespace vp::read
 {
 
-// What a reader warns of. If it counts something, the number stands before the words. Where several processes read
+// A warning of a reader. If it counts something, the number stands before the words. Where several processes read
 // parts of one file, their numbers are added.
 struct ReadWarning
 {

@@ -101,7 +101,7 @@ TEST(Shares, EachBlockIsAtOneRank)
 		}
 }
 
-// What readers of several ranks say in the same words of one input is told once. Counts are added.
+// If readers of several ranks say the same of one input, it is told once. Counts are added.
 TEST(Shares, WarningsOfAllRanksAreToldOnce)
 {
 	ranks::withTeam(3,

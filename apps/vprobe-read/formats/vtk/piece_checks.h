@@ -7,8 +7,8 @@
 namespace vp::reader::vtk
 {
 
-// What an index of pieces says, held against the pieces. source: a piece's file, as the index spells it. All throw a
-// Refusal.
+// An index of pieces and its pieces must say the same. All these throw a Refusal. source: a piece's file, as the index
+// spells it.
 
 [[noreturn]] void refusePieceWithoutFile();
 // types: those of the files, such as PUnstructuredGrid and UnstructuredGrid.

@@ -54,7 +54,7 @@ private:
 	std::vector<std::string> data_files_;
 	std::vector<double> times_;
 	std::vector<std::string> warnings_;
-	std::string type_;     // of the data; empty if VTK has to tell about them
+	std::string type_;     // the type of the data; empty if VTK has to tell about them
 	quick::Fields fields_; // the fields of the pieces of a data file
 	bool has_unknown_text_ = false;
 	bool is_empty_ = false;
