@@ -22,8 +22,9 @@ def need(module):
         raise Missing(module) from None
 
 
-def tried(cases, every):
-    """Every so many of the cases; all of them with VPROBE_LONG."""
+def tried(cases, every=1):
+    """Every so many of the cases, and fewer with VPROBE_TRY_EVERY; all of them with VPROBE_LONG."""
+    every *= int(os.environ.get('VPROBE_TRY_EVERY', 1))
     return list(cases)[::1 if 'VPROBE_LONG' in os.environ else every]
 
 

@@ -5,7 +5,7 @@ import os
 import random
 import subprocess
 
-from against import VPROBE, Missing, cut, need, vprobe
+from against import VPROBE, Missing, cut, need, tried, vprobe
 from exodus import corners_of
 from far_codes import begin_cgns
 from odd import refused
@@ -63,7 +63,7 @@ def gmsh_cubes(folder):
     gmsh, numpy = need('gmsh'), need('numpy')
     gmsh.initialize(['gmsh', '-nopopup', '-v', '0'])
     try:
-        for corners, kind in GMSH_TYPES:
+        for corners, kind in tried(GMSH_TYPES):
             gmsh.model.add(f'cube {kind}')
             name, weights = reference_places(numpy, gmsh, kind)
             points, cells = gathered(numpy, [weights @ numpy.array(cell) for cell in corners_of(numpy, corners)])
@@ -191,10 +191,10 @@ def med_cubes(folder):
     data, xml, numpy = vtk_modules()
     meshio, h5py = need('meshio'), need('h5py')
     of_med = [*range(20), 24, 22, 21, 23, 20, 25, 26]
-    for kind, name, order in (('T10', 'QuadraticTetra', None), ('P13', 'QuadraticPyramid', None),
-                              ('P15', 'QuadraticWedge', None), ('P18', 'BiQuadraticQuadraticWedge', None),
-                              ('H20', 'QuadraticHexahedron', None), ('H27', 'TriQuadraticHexahedron', None),
-                              ('H27', 'TriQuadraticHexahedron', of_med)):
+    kinds = (('T10', 'QuadraticTetra', None), ('P13', 'QuadraticPyramid', None), ('P15', 'QuadraticWedge', None),
+             ('P18', 'BiQuadraticQuadraticWedge', None), ('H20', 'QuadraticHexahedron', None),
+             ('H27', 'TriQuadraticHexahedron', None), ('H27', 'TriQuadraticHexahedron', of_med))
+    for kind, name, order in tried(kinds):
         cell, corners, weights = vtk_cell(numpy, data, name)
         for mirrored in (False, True):
             cells = [weights @ numpy.array(cell) for cell in corners_of(numpy, corners)]

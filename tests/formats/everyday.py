@@ -7,7 +7,7 @@ import struct
 import subprocess
 import zlib
 
-from against import VPROBE, cut, info, near, need, vprobe
+from against import VPROBE, cut, info, near, need, tried, vprobe
 from far_codes import begin_cgns
 from stacks import refused
 
@@ -207,9 +207,9 @@ def displaced_formats(folder):
     moves = numpy.stack([2 * points[:, 0], points[:, 2], 0 * points[:, 0]], axis=1)
     other = numpy.stack([0 * points[:, 0], 0 * points[:, 0], points[:, 2]], axis=1)
     stress = numpy.ones(8)
-    for name, array in (('a.vtu', 'Displacement'), ('b.vtu', 'disp'), ('c.med', 'RESU____DEPL'), ('d.xdmf', 'DISP'),
-                        ('e.vtk', 'nodal displacement'.replace(' ', '_')), ('f.vtu', 'U'), ('g.avs', 'displ'),
-                        ('h.msh', 'DEPL'), ('i.e', 'disp')):
+    files = (('a.vtu', 'Displacement'), ('b.vtu', 'disp'), ('c.med', 'RESU____DEPL'), ('d.xdmf', 'DISP'),
+             ('e.vtk', 'nodal_displacement'), ('f.vtu', 'U'), ('g.avs', 'displ'), ('h.msh', 'DEPL'), ('i.e', 'disp'))
+    for name, array in tried(files):
         path = folder / name
         mesh = meshio.Mesh(points, [('hexahedron', [list(range(8))])],
                            point_data={'other': other, array: moves, 'stress': stress})

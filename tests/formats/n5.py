@@ -126,7 +126,7 @@ def n5_levels(folder):
             'scales': ({**resolution, 'scales': [[1, 1, 1], [2, 2, 2]]}, {}, {}), 'sizes': (resolution, {}, {}),
             'plain': ({'resolution': [0.5, 1, 2], 'units': ['µm'] * 3}, {}, {}),
             'own': ({}, resolution, {'pixelResolution': {'dimensions': [1, 2, 4], 'unit': 'um'}})}
-    for name, (attributes, *levels) in ways.items():
+    for name, (attributes, *levels) in tried(ways.items()):
         path = group(name, attributes, *levels)
         found = [info(path, '--level', str(level)) for level in (0, 1)]
         assert [one['bounds'] for one in found] == [fine, coarse], (name, [one['bounds'] for one in found])

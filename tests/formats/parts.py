@@ -370,11 +370,11 @@ def stored_xdmf(folder):
         with h5py.File(folder / f'{name}.h5', 'w') as file:
             for array, its in arrays.items():
                 file.create_dataset(f'data/{array}', data=its, **packing)
-        for number, mesh in enumerate(meshes if name == 'plain' else meshes[:1]):
+        for number, mesh in tried(enumerate(meshes if name == 'plain' else meshes[:1])):
             path = folder / f'{name}{number}.xdmf'
             path.write_text(XDMF.format(*mesh, *(item(its, f'{name}.h5:/data/{array}', 'HDF')
                                                  for array, its in arrays.items())))
-            for array in ('f', 'v', 'cell:c'):
+            for array in tried(('f', 'v', 'cell:c')):
                 same(path, ['--array', array], memory=PACKED if packing else '2K')
     for array, its in arrays.items():
         (folder / f'{array}.bin').write_bytes(b'header' + its.astype('>f4' if array != 'c' else '>i4').tobytes())

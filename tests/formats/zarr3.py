@@ -138,7 +138,7 @@ WAYS = {'plain': {}, 'gzip': {'codecs': [GZIP]}, 'zstd': {'codecs': [ZSTD, {'nam
 def stored_zarr3(folder):
     numpy = need('numpy')
     values = field(numpy) / 8
-    for name, way in WAYS.items():
+    for name, way in tried(WAYS.items()):
         write3(folder / name, values.astype('f4'), (5, 7, 6), **way)
         same(folder / name, ['--interpolate', 'linear'], memory=PACKED, planes=PLANES[3:])
     several = numpy.stack([values, 2 * values])[:, None].astype('f8')
