@@ -287,13 +287,14 @@ void PlainXml::takeIndex(const text::XmlFile& given, std::string_view text)
 	std::vector<double> times;
 	const std::vector<std::string> names = quick::giveOwnNames(data);
 	const quick::Fields fields = quick::fieldsOf(data);
+	if (std::ranges::any_of(data.children,
+	                        [](const auto& each) { return isPieceElement(each) && !each.has("Source"); }))
+		refusePieceWithoutFile();
 	std::erase_if(data.children,
 	              [&](text::XmlElement& piece)
 	              {
 		              if (!isPieceElement(piece))
 			              return false;
-		              if (!piece.has("Source"))
-			              refusePieceWithoutFile();
 		              Request of_piece = request_;
 		              of_piece.file = (fs::absolute(request_.file).parent_path() / piece.attribute("Source")).string();
 		              PlainXml plain(of_piece);

@@ -126,9 +126,10 @@ std::vector<Piece> piecesOf(const Request& request, vtkXMLDataElement* whole)
 		const fs::path file = fs::path(request.file).parent_path() / source;
 		if (!fs::is_regular_file(file))
 			throw Refusal(fmt::format("its piece {} cannot be opened; keep them together", file.string()));
-		noteFile(file.c_str()); // whether or not it is read: no output may take its place
 		pieces.push_back({source, file.string(), extentOf(element->GetAttribute("Extent"))});
 	}
+	for (const Piece& piece : pieces)
+		noteFile(piece.file.c_str()); // whether or not it is read: no output may take its place
 	return pieces;
 }
 
