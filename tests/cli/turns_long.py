@@ -15,8 +15,8 @@ import subprocess
 import sys
 import tempfile
 
-# A small grid: each round starts the programs anew, and they build the grid.
-OPTIONS = ['demo:shell:24', '--classify', 'cpu', '--planes', '20', '--json', '-']
+# Each round starts the programs anew, and they build the grid. So it is small, and a round has many planes.
+OPTIONS = ['demo:shell:24', '--classify', 'cpu', '--planes', '200', '--json', '-']
 SLOWER = '''#!{python}
 import json, subprocess, sys
 program = subprocess.Popen(['{vprobe}', *sys.argv[1:]], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
