@@ -52,9 +52,9 @@ std::optional<PieceSizes> sizesOfPiece(const text::XmlElement& piece);
 // an index of pieces. Returns a line for each name.
 std::vector<std::string> giveOwnNames(text::XmlElement& data);
 
-// Returns the point and cell arrays of a piece, or those that an index of pieces names: "point array c", with its type
-// and number of components.
+// Arrays, such as "point array c", with their types and numbers of components.
 using Fields = std::map<std::string, std::string>;
+// Returns the point and cell arrays of a piece, or those that an index of pieces names.
 Fields fieldsOf(const text::XmlElement& piece);
 // Throws a Refusal unless all pieces of a file have the same arrays. VTK's reader would return uninitialized memory for
 // missing ones.
