@@ -103,8 +103,8 @@ std::string sandboxOfReader()
 	return held ? *held : fmt::format("not known ({})", held.error().message);
 }
 
-// Adds the command that the arguments begin with. All are added if there is none, and for the manual, which tells of all;
-// that takes milliseconds.
+// Adds the command that the arguments begin with. All are added if there is none, and for the manual, which tells of
+// all; that takes milliseconds.
 void addCommands(const Program& program, const std::vector<std::string>& arguments, CLI::App& app, Run& run)
 {
 	const std::string_view asked = arguments.empty() ? std::string_view() : arguments.front();
