@@ -24,7 +24,7 @@ double finiteOf(const nlohmann::json& value);
 Vec3 vectorOf(const nlohmann::json& value);
 // Returns a text without control characters, cut to a length that a message may have.
 std::string wordsOf(const nlohmann::json& value);
-
+// value: words, or {"count", "words"}.
 ReadWarning warningOf(const nlohmann::json& value);
 grid::NumberType numberTypeOf(const std::string& name);
 

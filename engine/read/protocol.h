@@ -28,9 +28,8 @@ namespace vp::read
 //
 //   {"version", "times": [..], "left_out": cells, "warnings": [words, or {"count", "words"}, ..], "files": those that
 //   were read, "bytes_read": by the child from files, "levels": how many the file has, if there are several, "blocks":
-//   [{"name", "kind", "arrays":
-//   [..], ..}],
-//    "patches": [{"name", "coordinates": array, "starts": array, "corners": array}]},
+//   [{"name", "kind", "arrays": [..], ..}], "patches": [{"name", "coordinates": array, "starts": array, "corners":
+//   array}]},
 //   "patches" only on request; where PARTS is not empty, "parts": [{"cells",
 //   "block"}] and "wholes": null or {"kind",
 //   "points"} for each block that the parts are of; blocks have a "part", and there may be none

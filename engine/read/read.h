@@ -146,7 +146,7 @@ struct InputWarning
 	ReadWarning warning;
 };
 
-// Warns.
+// Reports it as a warning, with the input's name.
 void tell(const InputWarning& warning);
 
 // Blocks that were read, and for each of them the part that it is of.

@@ -8,8 +8,9 @@
 namespace vp::ranks
 {
 
-// Returns what the readers of all ranks warn of, the same at every rank, in the order of the ranks. What several say in
-// the same words of the same input is there once, with the sum of their counts.
+// Returns the warnings of all ranks' readers, in the order of the ranks. All ranks get the same. Where several say the
+// same of one input it is there once, with the sum of their counts. A part is read by one rank, so nothing counts
+// twice.
 std::vector<read::InputWarning> warningsOfAll(Team& team, const std::vector<read::InputWarning>& own);
 
 } // namespace vp::ranks

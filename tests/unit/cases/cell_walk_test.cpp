@@ -201,18 +201,18 @@ TEST(CellWalk, FacesThatMeetAtAnEdgeTwice)
 		std::multiset<std::array<int, 4>> expected;
 		for (const std::vector<int>& face : lists)
 		{
-			std::array<int, 4> ways{};
+			std::array<int, 4> way{}; // the edge where the rim leaves the positive side, and the other one
 			for (std::size_t i = 0; i < 4; ++i)
 			{
 				const int here = face[i];
 				const int next = face[(i + 1) % 4];
 				if (positive[here] > positive[next])
-					ways[0] = here, ways[1] = next;
+					way = {here, next, way[2], way[3]};
 				else if (positive[here] < positive[next])
-					ways[2] = next, ways[3] = here;
+					way = {way[0], way[1], next, here};
 			}
-			if (ways != std::array<int, 4>{})
-				expected.insert(ways);
+			if (way != std::array<int, 4>{})
+				expected.insert(way);
 		}
 		const CellCut cut = walk(facesOf(lists), positive, false);
 		EXPECT_FALSE(cut.open);

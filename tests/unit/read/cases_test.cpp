@@ -334,7 +334,7 @@ TEST(Xml, PiecesThatAreMissingAreNamed)
 	EXPECT_EQ(refusal(folder / "a.pvtu"), "its piece " + folder / "gone.vtu" + " cannot be opened; keep them together");
 }
 
-// Read as one, and by a process of several, which asks for the first part alone.
+// Read as a whole, and listed for several processes.
 TEST(Xml, PiecesWithoutAFileAreRefused)
 {
 	const TemporaryFolder folder;
