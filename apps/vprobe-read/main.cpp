@@ -3,6 +3,7 @@
 #include "read/protocol.h"
 #include "vprobe-read/base/bytes_read.h"
 #include "vprobe-read/base/is_one_of.h"
+#include "vprobe-read/base/parent.h"
 #include "vprobe-read/base/read_files.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/checks/complaints.h"
@@ -14,7 +15,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -37,7 +37,7 @@ namespace
 {
 
 // Its own name and those of protocol.h, without slices.
-constexpr int kArgumentCount = 19;
+constexpr int kArgumentCount = 20;
 
 // Adds to a reason which of the files that an index names is meant.
 std::string withPiece(const std::string& input, std::string reason)
@@ -120,30 +120,19 @@ Request parseRequest(int count, char** arguments)
 	request.raw = arguments[9];
 	request.convert_to = arguments[10];
 	request.convert_folder = arguments[11];
-	request.parts = arguments[12];
-	request.sandbox = arguments[13];
-	request.follow = linesOf(arguments[14]);
-	if (*arguments[15])
-		request.stays_above = std::strtoull(arguments[15], nullptr, 10);
-	request.unpack = arguments[16];
-	request.level = std::strtoull(arguments[17], nullptr, 10);
-	request.file = arguments[18];
+	request.cells_of_part = std::strtoull(arguments[12], nullptr, 10);
+	request.asks_for_parts = arguments[13] == std::string_view("ask");
+	request.parts = request.asks_for_parts ? "" : arguments[13];
+	request.sandbox = arguments[14];
+	request.follow = linesOf(arguments[15]);
+	if (*arguments[16])
+		request.stays_above = std::strtoull(arguments[16], nullptr, 10);
+	request.unpack = arguments[17];
+	request.level = std::strtoull(arguments[18], nullptr, 10);
+	request.file = arguments[19];
 	request.slices.assign(arguments + kArgumentCount, arguments + count);
 	request.arguments = arguments;
 	return request;
-}
-
-void sendToParent(std::string_view text)
-{
-	std::size_t sent = 0;
-	while (sent < text.size())
-	{
-		const ssize_t n = write(read::kManifestFd, text.data() + sent, text.size() - sent);
-		if (n < 0 && errno != EINTR)
-			_exit(1); // the parent is gone
-		if (n > 0)
-			sent += static_cast<std::size_t>(n);
-	}
 }
 
 int run(int argc, char** argv)

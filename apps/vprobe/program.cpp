@@ -118,7 +118,7 @@ void addCommands(const Program& program, const std::vector<std::string>& argumen
 // Commands whose result a script may rely on.
 void addStrict(CLI::App& app, bool& is_strict)
 {
-	constexpr std::array kCommands{"slice", "render", "sweep", "sample", "convert", "verify"};
+	constexpr std::array kCommands{"slice", "render", "sweep", "sample", "convert", "pack", "verify"};
 	for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
 		if (std::ranges::find(kCommands, command->get_name()) != kCommands.end())
 			command->add_flag("--strict", is_strict,

@@ -83,11 +83,7 @@ void addPlace(const vp::grid::BlockSet& blocks, const vp::locate::Place& place,
               const std::vector<vp::write::SetArray>& arrays, Samples& samples)
 {
 	samples.blocks.push_back(place.found() ? static_cast<std::int32_t>(place.block) : -1);
-	std::int64_t cell = -1;
-	if (place.found())
-		std::visit([&](const auto& grid) { cell = static_cast<std::int64_t>(grid.sourceCell(place.cell)); },
-		           blocks.blocks[place.block].grid);
-	samples.cells.push_back(cell);
+	samples.cells.push_back(place.found() ? vp::grid::cellNumber(blocks.blocks[place.block], place.cell) : -1);
 	for (std::size_t a = 0; a < arrays.size(); ++a)
 	{
 		std::vector<double>& values = samples.columns[a].values;

@@ -62,14 +62,30 @@ bool staysInFile(const BlockSet& blocks)
 std::optional<parts::PartUse> partUse(const BlockSet& blocks)
 {
 	std::optional<parts::PartUse> sum;
-	forEachStored(blocks,
-	              [&](const parts::PartStore& store)
-	              {
-		              if (!sum)
-			              sum.emplace();
-		              sum->include(store.use());
-	              });
+	const auto include = [&](const parts::PartUse& use)
+	{
+		if (!sum)
+			sum.emplace();
+		sum->include(use);
+	};
+	forEachStored(blocks, [&](const parts::PartStore& store) { include(store.use()); });
+	for (const Block& block : blocks.blocks)
+		if (block.whole)
+			include(block.whole->parts);
 	return sum;
+}
+
+std::int64_t cellNumber(const Block& block, CellId cell)
+{
+	const std::size_t source =
+	    std::visit([&](const auto& grid) { return std::size_t(grid.sourceCell(cell)); }, block.grid);
+	return block.whole ? block.whole->cell_numbers[source] : static_cast<std::int64_t>(source);
+}
+
+bool lacksParts(const BlockSet& blocks)
+{
+	return std::ranges::any_of(blocks.blocks, [](const Block& block)
+	                           { return block.whole && block.whole->parts.read < block.whole->parts.all; });
 }
 
 void startCountingParts(const BlockSet& blocks)

@@ -26,6 +26,16 @@ struct CurvedCells; // curved_cells.h
 
 using AnyGrid = std::variant<UniformGrid, RectilinearGrid, CurvilinearGrid, UnstructuredGrid>;
 
+// An unstructured grid that lies in its file in parts, of which a block may hold some.
+struct WholeGrid
+{
+	std::size_t points = 0; // those of several parts count once
+	std::size_t cells = 0;
+	Box bounds;
+	parts::PartUse parts;
+	Array<std::int64_t> cell_numbers; // by sourceCell(): the number in the file that the parts were made of
+};
+
 // A grid with the arrays that live on it.
 struct Block
 {
@@ -43,6 +53,8 @@ struct Block
 	// If the grid is a lattice without its hidden cells, it is unstructured. Then this is that lattice; sourceCell()
 	// and sourcePoint() give numbers in it.
 	std::optional<Lattice> hidden_lattice;
+	// Set if the file has the grid in parts. Then `bounds` are those of the whole.
+	std::shared_ptr<const WholeGrid> whole{};
 	// Set if curved cells are refined where they are cut. Then `grid` has only the corners of these cells.
 	std::shared_ptr<const CurvedCells> curved{};
 
@@ -105,13 +117,19 @@ struct BlockSet
 	const char* kind() const;
 };
 
+// Returns the number that the user knows a cell by: that in the file, or in the file that was packed.
+std::int64_t cellNumber(const Block& block, CellId cell);
+
+/// Returns true if parts of a grid were left in the file, so that another cut may need more of them.
+bool lacksParts(const BlockSet& blocks);
+
 /// Returns true if all blocks know their neighbors.
 bool hasNeighbors(const BlockSet& blocks);
 
 /// Returns true if an array stays in its file (Field::stored).
 bool staysInFile(const BlockSet& blocks);
 
-/// Returns what was read of such arrays since startCounting(), or nothing if there are none.
+/// Returns what was read of such arrays since startCounting(), and of grids in parts, or nothing if there are none.
 std::optional<parts::PartUse> partUse(const BlockSet& blocks);
 void startCountingParts(const BlockSet& blocks);
 

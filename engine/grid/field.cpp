@@ -1,5 +1,6 @@
 #include "grid/field.h"
 
+#include "grid/array_facts.h"
 #include "grid/number_types.h"
 #include "grid/shown_value.h"
 
@@ -225,6 +226,8 @@ ValueSpan spanOfStored(const Field& field, int component)
 
 ValueSpan valueSpan(const Field& field, int component)
 {
+	if (field.facts)
+		return field.facts->spans[static_cast<std::size_t>(component == kMagnitude ? field.components : component)];
 	const auto range = [&](auto number)
 	{
 		using T = decltype(number);

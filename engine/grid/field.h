@@ -40,6 +40,26 @@ enum class Association : std::uint8_t
 
 const char* associationName(Association association); // "point", "cell"
 
+// The number of a tuple that is shown is one component, or, with this, the length of the tuple. The length of a
+// symmetric tensor of six components is that of all nine.
+constexpr int kMagnitude = -1;
+
+// The smallest and the largest finite value, and whether there are infinite ones. NaN is ignored.
+struct ValueSpan
+{
+	double lo = std::numeric_limits<double>::infinity();
+	double hi = -std::numeric_limits<double>::infinity();
+	bool minus_infinity = false;
+	bool plus_infinity = false;
+
+	bool empty() const { return lo > hi; }
+	std::pair<double, double> range() const { return empty() ? std::pair{0.0, 0.0} : std::pair{lo, hi}; }
+	void include(double value);
+	void include(const ValueSpan& other);
+};
+
+struct ArrayFacts; // array_facts.h
+
 // An array of values over the points or the cells of a block, in the numbering and number type of its source:
 // index it with sourcePoint(p) or sourceCell(c). `bytes` holds tuples() x components numbers, unless they stay in their
 // file: then `bytes` is empty, and `stored` holds a tuple as each item.
@@ -53,6 +73,7 @@ struct Field
 	bool categorical = false; // see namesCategories(); set when a block takes its fields
 	std::string units{};      // as in the file, mostly empty
 	std::shared_ptr<const parts::PartStore> stored{};
+	std::shared_ptr<const ArrayFacts> facts{}; // if the file says them: it may have more values than are here
 
 	std::size_t tuples() const;
 	// Returns the numbers of a tuple, one after the other, with no promise about alignment. Those of a stored array may
@@ -80,24 +101,6 @@ double loadNumber(NumberType type, const std::byte* at);
 
 template <class T>
 Field makeField(std::string name, Association association, int components, std::vector<T> values);
-
-// The number of a tuple that is shown is one component, or, with this, the length of the tuple. The length of a
-// symmetric tensor of six components is that of all nine.
-constexpr int kMagnitude = -1;
-
-// The smallest and the largest finite value, and whether there are infinite ones. NaN is ignored.
-struct ValueSpan
-{
-	double lo = std::numeric_limits<double>::infinity();
-	double hi = -std::numeric_limits<double>::infinity();
-	bool minus_infinity = false;
-	bool plus_infinity = false;
-
-	bool empty() const { return lo > hi; }
-	std::pair<double, double> range() const { return empty() ? std::pair{0.0, 0.0} : std::pair{lo, hi}; }
-	void include(double value);
-	void include(const ValueSpan& other);
-};
 
 // Returns the span of the shown values. component: 0.. or kMagnitude.
 ValueSpan valueSpan(const Field& field, int component);

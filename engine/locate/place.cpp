@@ -17,9 +17,9 @@ constexpr double kHeld = -1e-9; // rounding: a cell still contains a point this 
 constexpr double kAlone = 1e-6; // no other cell contains a point this deep inside
 
 // Returns the cell's rank in the file's order. Linear cells that were cut from one curved cell share its number.
-std::pair<std::size_t, CellId> rank(const grid::Block& block, CellId cell)
+std::pair<std::int64_t, CellId> rank(const grid::Block& block, CellId cell)
 {
-	return {std::visit([&](const auto& grid) { return std::size_t(grid.sourceCell(cell)); }, block.grid), cell};
+	return {grid::cellNumber(block, cell), cell};
 }
 
 bool holds(const Box& box, const Vec3& point)

@@ -17,6 +17,7 @@ grid::Block buildBlock(CheckedBlock&& checked, std::string name, bool identifies
 	block.geometry = identifies_geometry ? geometryOf(checked) : 0;
 	block.arrays_left_out = std::move(checked.arrays_left_out);
 	block.hidden_lattice = checked.hidden_lattice;
+	block.whole = std::move(checked.whole);
 	std::visit(
 	    [&](auto&& mesh)
 	    {
@@ -32,6 +33,8 @@ grid::Block buildBlock(CheckedBlock&& checked, std::string name, bool identifies
 		    finishBlock(block, for_one_cut);
 	    },
 	    std::move(checked.mesh));
+	if (block.whole)
+		block.bounds = block.whole->bounds;
 	return block;
 }
 

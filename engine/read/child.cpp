@@ -2,6 +2,8 @@
 
 #include "base/input_files.h"
 #include "read/formats.h"
+#include "read/manifest.h"
+#include "read/packed_grid.h"
 #include "read/protocol.h"
 #include "read/reader_process.h"
 #include "read/sandbox.h"
@@ -20,6 +22,7 @@
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -30,6 +33,9 @@ namespace
 {
 
 constexpr std::size_t kMaxReasonLength = 300;
+// Limits for what a child tells of a pack.
+constexpr std::uint64_t kMaxPackText = std::uint64_t(16) << 20;
+constexpr std::uint64_t kMaxPackParts = std::uint64_t(1) << 20; // their boxes take 48 MiB
 // Memory that the reader's libraries take before they look at a file.
 constexpr std::uint64_t kMinMemory = std::uint64_t(64) << 20;
 // An index may name many pieces, and each is open for a while.
@@ -174,7 +180,8 @@ std::vector<std::string> argumentsFor(const std::string& file, const ReadOptions
 	    rawText(options.raw),
 	    options.convert_to,
 	    options.convert_folder,
-	    options.parts,
+	    options.cells_of_part > 0 ? std::to_string(options.cells_of_part) : "",
+	    options.choose_parts ? "ask" : options.parts,
 	    sandbox,
 	    followArgument(options.follow),
 	    options.stays_above ? std::to_string(*options.stays_above) : "",
@@ -225,6 +232,15 @@ std::string programFor(const std::string& program, const std::string& file, cons
 
 } // namespace
 
+Result<RequestEnds> requestEnds(const std::string& file)
+{
+	std::array<int, 2> ends = {-1, -1};
+	// Not a pipe: whoever writes into a pipe that nobody reads any more gets a signal.
+	if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+		return Error{ErrorKind::internal, fmt::format("{}: no socket for its reader ({})", file, std::strerror(errno))};
+	return RequestEnds{lifted(ends[0]), lifted(ends[1])};
+}
+
 Error stopped(const std::string& input)
 {
 	return {ErrorKind::cancelled, fmt::format("{}: reading was cancelled", input)};
@@ -239,7 +255,16 @@ Result<ReaderAtWork> ReaderAtWork::start(const std::string& file, const ReadOpti
                                          const Descriptor& requests)
 {
 	ReaderAtWork reader(file, options, limits);
-	if (const Status started = reader.started(requests); !started)
+	RequestEnds ends;
+	if (options.choose_parts)
+	{
+		Result<RequestEnds> made = requestEnds(file);
+		if (!made)
+			return made.error();
+		ends = std::move(*made);
+		reader.requests_ = std::move(ends.own);
+	}
+	if (const Status started = reader.started(ends.childs ? ends.childs : requests); !started)
 		return started.error();
 	return reader;
 }
@@ -321,11 +346,47 @@ Status ReaderAtWork::answer(std::span<std::byte> to)
 	return Nothing{};
 }
 
+// Answers the child if it asks for parts. Returns what it has written of its manifest.
+Result<std::string> ReaderAtWork::chooseParts()
+{
+	std::string begin(kPartsMark.size(), '\0');
+	if (Status answered = answer(std::as_writable_bytes(std::span(begin))); !answered)
+		return answered.error();
+	if (begin != kPartsMark)
+		return begin;
+	std::array<std::uint64_t, 2> sizes{};
+	if (Status answered = answer(std::as_writable_bytes(std::span(sizes))); !answered)
+		return answered.error();
+	if (sizes[0] > kMaxPackText || sizes[1] > kMaxPackParts)
+		return Error{ErrorKind::input, fmt::format("{}: truncated or damaged: it has too many parts", file_)};
+	std::string text(sizes[0], '\0');
+	std::vector<std::array<double, 6>> boxes(sizes[1]);
+	Status answered = answer(std::as_writable_bytes(std::span(text)));
+	if (answered)
+		answered = answer(std::as_writable_bytes(std::span(boxes)));
+	if (!answered)
+		return answered.error();
+	const Result<PackedGrid> grid = checkPackedGrid(text, std::move(boxes));
+	if (!grid)
+		return unusable(file_, grid.error());
+	const auto chosen = options_.choose_parts(*grid);
+	if (chosen && !writeWhole(cells_, std::as_bytes(std::span(*chosen))))
+		return Error{ErrorKind::out_of_memory,
+		             fmt::format("{}: there is no memory for the list of its parts; make room", file_)};
+	const std::uint64_t count = chosen ? chosen->size() : kAllParts;
+	send(requests_.get(), &count, sizeof(count), MSG_NOSIGNAL); // to a child that has ended: the answer tells
+	return std::string();
+}
+
 Result<HandedOver> ReaderAtWork::finish()
 {
 	reader_->startAnew(limits_.time); // it may have waited for us before
+	Result<std::string> begin = options_.choose_parts ? chooseParts() : Result<std::string>(std::string());
+	if (!begin)
+		return begin.error();
 	if (!reader_->finish(options_.stop))
 		return notInTime();
+	reader_->manifest.insert(0, *begin);
 	if (!WIFEXITED(reader_->status) || WEXITSTATUS(reader_->status) != 0)
 		return explain(file_, *reader_, isShortOfMemory(limits_, std::min(memory_, file_size_)), memory_,
 		               options_.convert_to);

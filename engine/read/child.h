@@ -21,6 +21,14 @@ struct HandedOver
 	SharedBytes cells;
 };
 
+// The two ends of a socket by which a child gets requests.
+struct RequestEnds
+{
+	Descriptor own;
+	Descriptor childs;
+};
+Result<RequestEnds> requestEnds(const std::string& file);
+
 // vprobe-read at work on one file, within its limits. Every failure of it is an error that names the file.
 class ReaderAtWork
 {
@@ -40,6 +48,7 @@ public:
 private:
 	ReaderAtWork(const std::string& file, const ReadOptions& options, const InputLimits& limits);
 	Status started(const Descriptor& requests);
+	Result<std::string> chooseParts();
 	Error notInTime() const;
 
 	std::string file_;
@@ -49,7 +58,8 @@ private:
 	rlim_t file_size_ = 0;
 	Descriptor arrays_;
 	Descriptor cells_;
-	Descriptor life_; // the child is killed when it closes
+	Descriptor requests_; // to a child that asks for parts
+	Descriptor life_;     // the child is killed when it closes
 	std::unique_ptr<Reader> reader_;
 };
 

@@ -2,6 +2,7 @@
 
 #include "base/ids.h"
 #include "base/input_files.h"
+#include "grid/array_facts.h"
 #include "read/check_curved.h"
 #include "read/check_mesh.h"
 #include "read/collapsed_cells.h"
@@ -24,8 +25,6 @@ namespace
 using grid::NumberType;
 using nlohmann::json;
 
-// More than any tensor or spectrum in a file; keeps tuples x components x bytes far from overflow.
-constexpr std::uint64_t kMaxComponents = 1 << 16;
 constexpr std::size_t kMaxWarnings = 20;
 
 class Checker
@@ -185,6 +184,51 @@ private:
 		return latticeOf({countOf(points[0]), countOf(points[1]), countOf(points[2])});
 	}
 
+	// The whole that a block of so many cells is read from, in parts.
+	std::shared_ptr<const grid::WholeGrid> wholeOf(const json& pack, std::size_t cells) const
+	{
+		grid::WholeGrid whole;
+		whole.points = countOf(pack.at("points"));
+		whole.cells = countOf(pack.at("cells"));
+		const json& ends = pack.at("bounds");
+		for (std::size_t axis = 0; axis < 3; ++axis)
+		{
+			whole.bounds.lo[static_cast<int>(axis)] = finiteOf(ends.at(axis));
+			whole.bounds.hi[static_cast<int>(axis)] = finiteOf(ends.at(axis + 3));
+		}
+		whole.parts.all = countOf(pack.at("parts"));
+		whole.parts.kept = whole.parts.met = whole.parts.read = countOf(pack.at("parts_read"));
+		whole.parts.bytes_met = whole.parts.bytes_read = countOf(pack.at("bytes_read"));
+		whole.cell_numbers = numbersOf<std::int64_t>(cells_, pack.at("numbers"), NumberType::int64, cells);
+		if (cells > whole.cells || whole.bounds.empty() || whole.parts.read > whole.parts.all)
+			throw Unusable("parts of a grid are more than the whole");
+		return std::make_shared<const grid::WholeGrid>(std::move(whole));
+	}
+
+	static std::shared_ptr<const grid::ArrayFacts> factsOf(const json& facts, int components)
+	{
+		auto found = std::make_shared<grid::ArrayFacts>();
+		found->tuples = countOf(facts.at("tuples"));
+		for (const json& each : facts.at("spans"))
+		{
+			grid::ValueSpan& span = found->spans.emplace_back();
+			span.minus_infinity = each.at(2).get<bool>();
+			span.plus_infinity = each.at(3).get<bool>();
+			if (each.at(0).is_null())
+				continue;
+			span.lo = finiteOf(each.at(0));
+			span.hi = finiteOf(each.at(1));
+			if (span.empty())
+				throw Unusable("the range of an array has its ends exchanged");
+		}
+		if (found->spans.size() != static_cast<std::size_t>(components) + 1)
+			throw Unusable("an array has not a range for each of its components");
+		for (const json& value : facts.at("values"))
+			found->values.include(finiteOf(value));
+		found->changes = {countOf(facts.at("changes").at(0)), countOf(facts.at("changes").at(1))};
+		return found;
+	}
+
 	// Sets the mesh, and how many tuples its point and cell arrays have.
 	void checkMesh(const json& block, CheckedBlock& checked, std::uint64_t& points, std::uint64_t& cells)
 	{
@@ -199,6 +243,8 @@ private:
 				checked.hidden_lattice = grid::Lattice(latticeOfBlock(block));
 				checkLattice(*checked.hidden_lattice, mesh.points.size(), mesh.cells);
 			}
+			if (block.contains("pack"))
+				checked.whole = wholeOf(block.at("pack"), mesh.cells.size());
 			unplaced_ += leaveOutUnplaced(mesh);
 			checked.mesh = std::move(mesh);
 			return;
@@ -249,25 +295,23 @@ private:
 			grid::Field field;
 			field.name = wordsOf(array.at("name"));
 			field.units = wordsOf(array.value("units", json("")));
-			const std::string association = array.at("association").get<std::string>();
-			if (association != "point" && association != "cell")
-				throw Unusable("an array belongs to neither points nor cells");
+			field.association = associationOf(array.at("association"));
 			if (array.contains("left_out"))
 			{
-				checked.arrays_left_out.push_back(association + ":" + field.name);
+				checked.arrays_left_out.push_back(
+				    fmt::format("{}:{}", grid::associationName(field.association), field.name));
 				continue;
 			}
-			field.association = association == "point" ? grid::Association::point : grid::Association::cell;
-			const std::uint64_t components = countOf(array.at("components"));
-			if (components < 1 || components > kMaxComponents)
-				throw Unusable(fmt::format("the array {} has {} components", field.name, components));
-			field.components = static_cast<int>(components);
+			field.components = componentsOf(array.at("components"), field.name);
 			field.type = numberTypeOf(array.at("type").get<std::string>());
 			if (array.contains("stored"))
 				field.stored = storedArray(array.at("stored"), field, checked.mesh, arrays_, files_);
 			else
-				field.bytes =
-				    bytesOf(arrays_, array, field.type, components * (association == "point" ? points : cells));
+				field.bytes = bytesOf(arrays_, array, field.type,
+				                      static_cast<std::uint64_t>(field.components) *
+				                          (field.association == grid::Association::point ? points : cells));
+			if (array.contains("facts"))
+				field.facts = factsOf(array.at("facts"), field.components);
 			checked.fields.push_back(std::move(field));
 		}
 		return checked;
@@ -323,7 +367,7 @@ void checkImage(const std::array<std::uint32_t, 3>& points, const Vec3& origin, 
 
 void checkField(const grid::Field& field, std::uint64_t points, std::uint64_t cells)
 {
-	if (field.components < 1 || static_cast<std::uint64_t>(field.components) > kMaxComponents)
+	if (field.components < 1 || field.components > kMaxComponents)
 		throw Unusable(fmt::format("the array {} has {} components", field.name, field.components));
 	const std::uint64_t tuples = field.association == grid::Association::point ? points : cells;
 	const std::size_t bytes_of_tuple = grid::byteSize(field.type) * static_cast<std::size_t>(field.components);
@@ -344,24 +388,6 @@ Error unusable(const std::string& file, const Error& error)
 		return error;
 	return {ErrorKind::input, fmt::format("{}: truncated or damaged: {}", file, error.message)};
 }
-
-namespace
-{
-
-// A manifest has some eight levels. Millions of brackets would take many times their own memory.
-json parsedManifest(std::string_view text)
-{
-	constexpr int kMaxDepth = 32;
-	const auto limited = [](int depth, json::parse_event_t, json&)
-	{
-		if (depth > kMaxDepth)
-			throw Unusable("the manifest of its arrays is nested too deeply");
-		return true;
-	};
-	return json::parse(text, limited);
-}
-
-} // namespace
 
 Result<CheckedInput> checkManifest(std::string_view text, const SharedBytes& arrays, const SharedBytes& cells,
                                    const std::string& file, const std::string& follow)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/result.h"
+#include "grid/block.h"
 #include "grid/field.h"
 #include "grid/imaging.h"
 #include "grid/patches.h"
@@ -13,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -42,7 +44,8 @@ struct CheckedBlock
 	grid::Imaging imaging{};
 	std::optional<grid::Lattice> hidden_lattice; // see grid::Block
 	std::vector<std::string> arrays_left_out{};  // likewise
-	std::size_t part = 0;                        // index of the input's part, if parts were asked for
+	std::shared_ptr<const grid::WholeGrid> whole{};
+	std::size_t part = 0; // index of the input's part, if parts were asked for
 };
 
 // A part of an input, which can be cut on its own.

@@ -73,6 +73,36 @@ NumberType numberTypeOf(const std::string& name)
 	throw Unusable("an array has an unknown number type");
 }
 
+grid::Association associationOf(const json& value)
+{
+	const auto& name = value.get_ref<const std::string&>();
+	for (const grid::Association association : {grid::Association::point, grid::Association::cell})
+		if (name == grid::associationName(association))
+			return association;
+	throw Unusable("an array belongs to neither points nor cells");
+}
+
+int componentsOf(const json& value, const std::string& name)
+{
+	const std::uint64_t components = countOf(value);
+	if (components < 1 || components > kMaxComponents)
+		throw Unusable(fmt::format("the array {} has {} components", name, components));
+	return static_cast<int>(components);
+}
+
+// A manifest has some eight levels. Millions of brackets would take many times their own memory.
+json parsedManifest(std::string_view text)
+{
+	constexpr int kMaxDepth = 32;
+	const auto limited = [](int depth, json::parse_event_t, json&)
+	{
+		if (depth > kMaxDepth)
+			throw Unusable("the manifest of its arrays is nested too deeply");
+		return true;
+	};
+	return json::parse(text, limited);
+}
+
 Array<std::byte> bytesOf(const SharedBytes& memory, const json& array, NumberType type, std::uint64_t numbers)
 {
 	const std::uint64_t offset = countOf(array.at("offset"));

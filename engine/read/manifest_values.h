@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace vp::read
 {
@@ -18,6 +19,8 @@ namespace vp::read
 // Checked values of a manifest. All functions throw Unusable if a value is not what it should be.
 
 constexpr std::uint64_t kAnyCount = ~std::uint64_t(0);
+// More than any tensor or spectrum in a file; keeps tuples x components x bytes far from overflow.
+constexpr int kMaxComponents = 1 << 16;
 
 std::uint64_t countOf(const nlohmann::json& value);
 double finiteOf(const nlohmann::json& value);
@@ -27,6 +30,12 @@ std::string wordsOf(const nlohmann::json& value);
 // value: words, or {"count", "words"}.
 ReadWarning warningOf(const nlohmann::json& value);
 grid::NumberType numberTypeOf(const std::string& name);
+grid::Association associationOf(const nlohmann::json& value);
+// name: of the array, for the message.
+int componentsOf(const nlohmann::json& value, const std::string& name);
+
+// Parses a text of a child. Throws Unusable if it is nested too deeply, and the exceptions of nlohmann::json.
+nlohmann::json parsedManifest(std::string_view text);
 
 // Returns the bytes of an array that holds so many numbers of its type.
 Array<std::byte> bytesOf(const SharedBytes& memory, const nlohmann::json& array, grid::NumberType type,

@@ -1,5 +1,7 @@
 #include "read/mapping.h"
 
+#include <cerrno>
+
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
@@ -13,6 +15,19 @@ void Descriptor::reset(int fd)
 	if (fd_ >= 0)
 		close(fd_);
 	fd_ = fd;
+}
+
+bool writeWhole(const Descriptor& memory, std::span<const std::byte> bytes)
+{
+	std::size_t done = 0;
+	while (done < bytes.size())
+	{
+		const ssize_t count = pwrite(memory.get(), bytes.data() + done, bytes.size() - done, static_cast<off_t>(done));
+		if (count < 0 && errno != EINTR)
+			return false;
+		done += count > 0 ? static_cast<std::size_t>(count) : 0;
+	}
+	return true;
 }
 
 SharedBytes mapSealed(const Descriptor& memory)

@@ -42,6 +42,9 @@ private:
 	int fd_ = -1;
 };
 
+// Writes bytes at the beginning of a memfd. Returns false if there is no room.
+bool writeWhole(const Descriptor& memory, std::span<const std::byte> bytes);
+
 // Seals a memfd against any change and maps all of it. The result has no owner if that fails. An empty memfd has an
 // owner and no bytes.
 SharedBytes mapSealed(const Descriptor& memory);

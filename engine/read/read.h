@@ -2,6 +2,7 @@
 
 #include "base/result.h"
 #include "grid/block.h"
+#include "read/packed_grid.h"
 #include "read/raw_layout.h"
 #include "read/read_warning.h"
 #include "read/tolerance.h"
@@ -80,11 +81,14 @@ struct ReadOptions
 	std::stop_token stop{}; // on a stop request, reading ends with an error
 	ArrayWish arrays{};
 	std::string format{};              // a name in formats(); if empty, the file's contents and name tell
+	std::size_t cells_of_part = 0;     // only for convert(): writes a pack with parts of at most so many cells; 0: none
 	std::vector<std::string> slices{}; // files that are slices of one volume, whose first one is read; mostly empty
 	RawLayout raw{};                   // layout of files that hold nothing but values; they need one
 	// The parts of a file to read, as their numbers in PartList with commas between; empty: all. "?" reads none and
 	// only lists them.
 	std::string parts{};
+	// Called for a pack before its parts are read: the parts to read, or nothing for all. All are read without it.
+	ChooseParts choose_parts{};
 	// Number of slabs into which a lattice is split if it is alone in its file. Each slab is a part. Use the same
 	// number to list parts and to read them.
 	int slabs = 1;

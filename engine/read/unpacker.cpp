@@ -21,19 +21,6 @@ namespace
 // More than this is given back to the system after each call.
 constexpr std::size_t kKeptBytes = std::size_t(16) << 20;
 
-bool writeWhole(const Descriptor& memory, std::span<const std::byte> bytes)
-{
-	std::size_t done = 0;
-	while (done < bytes.size())
-	{
-		const ssize_t count = pwrite(memory.get(), bytes.data() + done, bytes.size() - done, static_cast<off_t>(done));
-		if (count < 0 && errno != EINTR)
-			return false;
-		done += count > 0 ? static_cast<std::size_t>(count) : 0;
-	}
-	return true;
-}
-
 // The child may change this memory at any time, so it is read, never mapped: where it is too short, this fails.
 bool readWhole(const Descriptor& memory, std::size_t at, std::span<std::byte> bytes)
 {
@@ -60,14 +47,11 @@ Unpacker::Unpacker(std::string file, std::string format, std::size_t part_bytes,
 
 Status Unpacker::start()
 {
-	std::array<int, 2> ends = {-1, -1};
-	// Not a pipe: whoever writes into a pipe that nobody reads any more gets a signal.
-	if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
-		return Error{ErrorKind::internal,
-		             fmt::format("{}: no socket for its reader ({})", file_, std::strerror(errno))};
-	requests_ = lifted(ends[0]);
-	const Descriptor childs = lifted(ends[1]);
-	Result<ReaderAtWork> started = ReaderAtWork::start(file_, options_, limitsWithoutFile(), childs);
+	Result<RequestEnds> ends = requestEnds(file_);
+	if (!ends)
+		return ends.error();
+	requests_ = std::move(ends->own);
+	Result<ReaderAtWork> started = ReaderAtWork::start(file_, options_, limitsWithoutFile(), ends->childs);
 	if (!started)
 		return started.error();
 	child_.emplace(std::move(*started));

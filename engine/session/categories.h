@@ -17,12 +17,10 @@ struct CategoryArray
 {
 	std::string name;
 	grid::Association association = grid::Association::point;
-	std::vector<double> values; // ascending; empty if there are more than kMaxCategories, or several components
+	std::vector<double> values; // ascending; empty if there are more than grid::kMaxCategories, or several components
 
 	bool operator==(const CategoryArray&) const = default;
 };
-
-constexpr std::size_t kMaxCategories = 1024; // as many as a color map takes
 
 /// Finds the arrays of integers that name categories: by their names (grid::namesCategories), because the file says
 /// so (grid::Imaging::labels), or because they have at most 32 values and are no ramp of gray. A ramp has more than 8

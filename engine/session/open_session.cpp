@@ -3,6 +3,7 @@
 #include "base/progress.h"
 #include "base/stop_scope.h"
 #include "ranks/data/share.h"
+#include "session/met_parts.h"
 #include "view/validate.h"
 
 #include <fmt/format.h>
@@ -132,6 +133,8 @@ Result<grid::BlockSet> Session::readBlocks(const OpenOptions& options)
 		                   ? std::min(kept.budget(), kStaysAbove)
 		                   : kept.budget();
 	reading.stays_above = stays_above_;
+	if (options.ranks.holdsAll() && options.one_frame && inputs_.size() == 1)
+		reading.choose_parts = [this](const read::PackedGrid& grid) { return metParts(spec_, grid); };
 	const bool needs_neighbors = options.expect == Expect::more || needsNeighbors(spec_);
 	reading.builds_neighbors = needs_neighbors && options.ranks.buildsWhileReading();
 	reading.for_one_cut = !needs_neighbors && options.expect == Expect::one_cut && servesOneCut(spec_);

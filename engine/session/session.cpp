@@ -370,6 +370,8 @@ Status Session::prepareFor(const FrameRequest& request, const std::stop_token& s
 	const Result<bool> lacks = needsNeighborsFor(request);
 	if (!lacks)
 		return lacks.error();
+	if (grid::lacksParts(blocks_) && (*lacks || request.pose))
+		return Error{ErrorKind::internal, "parts of the grid were read for one frame, and this is another"};
 	return *lacks ? buildNeighbors(stop) : Nothing{};
 }
 

@@ -95,6 +95,9 @@ struct OpenOptions
 	bool reads_all_arrays = true; // read all arrays, not only those that are shown
 	bool one_cut_a_time = false;  // each time of the inputs is cut once
 	bool time_may_change = true;  // goTo() may be called: it keeps the grid if that is the same at the other time
+	// One frame alone will be asked for, by the settings as they are: of a grid in parts (`vprobe pack`), those are
+	// read that it meets.
+	bool one_frame = false;
 	Timeline::Keep keep = Timeline::Keep::totals;
 	std::shared_ptr<gpu::Device> device{};      // an open device; null opens the device of the settings
 	std::vector<std::string> follow{};          // for ReadOptions::follow

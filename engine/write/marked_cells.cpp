@@ -36,7 +36,7 @@ Status writeMarkedCells(const grid::BlockSet& blocks, std::span<const MarkedCell
 					    }
 					    starts.push_back(static_cast<std::int64_t>(ids.size()));
 					    (finding += group.mark) += '\0';
-					    source.push_back(static_cast<std::int64_t>(grid.sourceCell(cell.cell)));
+					    source.push_back(grid::cellNumber(blocks.blocks[cell.block], cell.cell));
 					    block.push_back(static_cast<std::int32_t>(cell.block));
 				    }
 			    },

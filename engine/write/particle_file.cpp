@@ -78,8 +78,7 @@ std::int64_t sourceCellOf(const grid::BlockSet& blocks, std::uint32_t block, Cel
 {
 	if (cell == kNoCell || !isHere(blocks.blocks[block]))
 		return -1;
-	return std::visit([&](const auto& grid) { return static_cast<std::int64_t>(grid.sourceCell(cell)); },
-	                  blocks.blocks[block].grid);
+	return grid::cellNumber(blocks.blocks[block], cell);
 }
 
 void addPoints(const Traces& traces, const TraceColumns& columns, LineTable& table)

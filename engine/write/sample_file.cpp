@@ -85,7 +85,8 @@ private:
 	void addValues(std::string& text, const G& grid, const Place& place) const
 	{
 		const std::size_t cell = grid.sourceCell(place.cell);
-		fmt::format_to(std::back_inserter(text), ",{},{}", place.block, cell);
+		fmt::format_to(std::back_inserter(text), ",{},{}", place.block,
+		               grid::cellNumber(blocks_.blocks[place.block], place.cell));
 		for (const SetArray& array : point_arrays_)
 			addInterpolated(text, grid, array, place);
 		for (const SetArray& array : cell_arrays_)

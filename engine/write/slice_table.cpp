@@ -75,7 +75,14 @@ Column vertexColumn(const grid::BlockSet& blocks, Meshes meshes, const SetArray&
 	return column;
 }
 
-Column polygonColumn(Meshes meshes, const SliceTable& table, const SetArray& source)
+// The tuple of a cell in the arrays of its block. number: grid::cellNumber().
+std::size_t tupleOf(const grid::Block& block, CellId cell, std::int64_t number)
+{
+	return block.whole ? std::visit([&](const auto& grid) { return std::size_t(grid.sourceCell(cell)); }, block.grid)
+	                   : static_cast<std::size_t>(number);
+}
+
+Column polygonColumn(const grid::BlockSet& blocks, Meshes meshes, const SliceTable& table, const SetArray& source)
 {
 	Column column{source.name, source.components, source.type, {}};
 	const std::size_t number = grid::byteSize(source.type);
@@ -88,7 +95,7 @@ Column polygonColumn(Meshes meshes, const SliceTable& table, const SetArray& sou
 		{
 			const grid::Field* field = source.per_block[from.block];
 			const int known = field ? field->components : 0;
-			const auto cell = static_cast<std::size_t>(table.cell[polygon++]);
+			const std::size_t cell = tupleOf(blocks.blocks[from.block], from.cell, table.cell[polygon++]);
 			if (field && field->type == source.type)
 				std::memcpy(at, field->tuple(cell), known * number);
 			else
@@ -145,9 +152,7 @@ void addCells(const grid::BlockSet& blocks, const mesh::SheetMesh& mesh, SliceTa
 	            [&](std::size_t p)
 	            {
 		            const mesh::BlockCell& from = mesh.polygon_cells[p];
-		            const auto sourceOf = [&](const auto& grid)
-		            { return static_cast<std::int64_t>(grid.sourceCell(from.cell)); };
-		            table.cell[first + p] = std::visit(sourceOf, blocks.blocks[from.block].grid);
+		            table.cell[first + p] = grid::cellNumber(blocks.blocks[from.block], from.cell);
 		            table.block[first + p] = static_cast<std::int32_t>(from.block);
 	            });
 }
@@ -165,7 +170,7 @@ void addArrays(const grid::BlockSet& blocks, Meshes meshes, SliceTable& table)
 	for (const SetArray& source : arraysOf(blocks, Association::point))
 		table.vertex_columns.push_back(vertexColumn(blocks, meshes, source));
 	for (const SetArray& source : arraysOf(blocks, Association::cell))
-		table.polygon_columns.push_back(polygonColumn(meshes, table, source));
+		table.polygon_columns.push_back(polygonColumn(blocks, meshes, table, source));
 }
 
 } // namespace

@@ -32,6 +32,7 @@ import models
 import n5
 import newest
 import odd
+import packs
 import parts
 import pictures
 import scans
@@ -46,7 +47,7 @@ def chosen_cases():
     cases = (meshes.CASES + volumes.CASES + boxes.CASES + codes.CASES + odd.CASES + steps.CASES + exodus.CASES +
              conversion.CASES + conventions.CASES + far.CASES + stacks.CASES + curved.CASES +
              ensight.CASES + models.CASES + damage.CASES + pictures.CASES + labels.CASES + everyday.CASES +
-             parts.CASES + newest.CASES + scans.CASES + stacked.CASES + zarr3.CASES + n5.CASES)
+             parts.CASES + newest.CASES + scans.CASES + stacked.CASES + zarr3.CASES + n5.CASES + packs.CASES)
     wanted = sys.argv[2] if len(sys.argv) > 2 else '1/1'
     part = re.fullmatch(r'(\d+)/(\d+)', wanted)
     if not part:

@@ -115,7 +115,7 @@ def plan_cases():
 
 def other_commands():
     """Commands that take no plan, for every kind of grid; what each command tells of itself."""
-    commands = ('info', 'render', 'view', 'sweep', 'slice', 'sample', 'check', 'profile', 'convert', 'manual')
+    commands = ('info', 'render', 'view', 'sweep', 'slice', 'sample', 'check', 'profile', 'convert', 'pack', 'manual')
     yield Case('plans', [Step(['vprobe', *words]) for words in (['--help'], ['--version'], ['manual'], ['info', 'demo:'])])
     yield Case('plans', [Step(['vprobe', command, '--help']) for command in commands])
     for source in DEMOS:

@@ -87,7 +87,11 @@ nlohmann::json Writer::write(NumberType type, const void* data, std::size_t byte
 	return end(type);
 }
 
-nlohmann::json writeInt64(Writer& writer, std::span<const std::int32_t> values)
+namespace
+{
+
+template <class Number>
+nlohmann::json writeWide(Writer& writer, std::span<const Number> values)
 {
 	std::array<std::int64_t, 8192> wide;
 	writer.begin();
@@ -99,6 +103,18 @@ nlohmann::json writeInt64(Writer& writer, std::span<const std::int32_t> values)
 		values = values.subspan(n);
 	}
 	return writer.end(NumberType::int64);
+}
+
+} // namespace
+
+nlohmann::json writeInt64(Writer& writer, std::span<const std::int32_t> values)
+{
+	return writeWide(writer, values);
+}
+
+nlohmann::json writeInt64(Writer& writer, std::span<const std::uint32_t> values)
+{
+	return writeWide(writer, values);
 }
 
 nlohmann::json writeInt64(Writer& writer, std::span<const std::int64_t> values)

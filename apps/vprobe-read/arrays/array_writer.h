@@ -39,6 +39,7 @@ private:
 };
 
 nlohmann::json writeInt64(Writer& writer, std::span<const std::int32_t> values);
+nlohmann::json writeInt64(Writer& writer, std::span<const std::uint32_t> values);
 nlohmann::json writeInt64(Writer& writer, std::span<const std::int64_t> values);
 // Writes ids with 32 bits if all of them fit, or else with 64 bits.
 nlohmann::json writeIds(Writer& writer, std::span<const std::int32_t> ids);

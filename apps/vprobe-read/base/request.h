@@ -28,19 +28,21 @@ struct Request
 	} time = Time::last;
 	double time_value = 0.0;
 	std::size_t time_index = 0;
-	std::string displace;       // "FACTOR" or "FACTOR NAME": how far points move, and by which array; mostly empty
-	bool patches = false;       // whether the parts of the boundary that the file names are wanted
-	double refine = 0.0;        // how often the linear parts of curved cells are halved, or a tolerance
-	std::size_t level = 0;      // which of several resolutions of an image, 0 the finest
-	int threads = 1;            // the most to use
-	std::string convert_to;     // the file that is to be written; mostly empty
-	std::string convert_folder; // a folder of the parent's, into which it is written
-	ArrayWish arrays;           // those to hand over
+	std::string displace;          // "FACTOR" or "FACTOR NAME": how far points move, and by which array; mostly empty
+	bool patches = false;          // whether the parts of the boundary that the file names are wanted
+	double refine = 0.0;           // how often the linear parts of curved cells are halved, or a tolerance
+	std::size_t level = 0;         // which of several resolutions of an image, 0 the finest
+	int threads = 1;               // the most to use
+	std::string convert_to;        // the file that is to be written; mostly empty
+	std::string convert_folder;    // a folder of the parent's, into which it is written
+	std::size_t cells_of_part = 0; // at most, where the file that is written comes in parts; else 0
+	ArrayWish arrays;              // those to hand over
 	std::uint64_t stays_above = ~std::uint64_t(0); // arrays of more bytes may stay in the file
 	std::string unpack;                            // how the parts are packed that are to be unpacked; mostly empty
 	std::string sandbox = "off";                   // auto, require or off
 	std::vector<std::string> follow;               // folders with files that the input may name, or "anywhere"
 	std::string parts;                             // those to hand over, see PartFilter; mostly empty
+	bool asks_for_parts = false;                   // the parent chooses the parts of a pack, see parent.h
 	char** arguments = nullptr;                    // as the process was started with them
 
 	// Returns true if so many bytes of values may stay in the file.

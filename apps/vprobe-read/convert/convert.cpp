@@ -129,10 +129,18 @@ void writeConverted(const std::vector<KeptBlock>& blocks, const Request& request
 	const std::string ending = fs::path(request.convert_to).extension().string();
 	if (ending == ".vtm")
 		return writeBlocks(blocks, request);
+	if (blocks.size() != 1 && request.cells_of_part > 0)
+		throw Refusal(fmt::format("has {} blocks, and one is packed at a time; convert it to .vtm and pack a piece",
+		                          blocks.size()));
 	if (blocks.size() != 1)
 		throw Refusal(fmt::format("has {} blocks, and a {} file holds one; write a .vtm", blocks.size(), ending));
 	vtkDataSet* data = blocks[0].data;
 	const std::string file = (fs::path(request.convert_folder) / fs::path(request.convert_to).filename()).string();
+	if (request.cells_of_part > 0 && endingOf(data) == ".vtu")
+		return writePack(data, file, request.cells_of_part, request.threads);
+	if (request.cells_of_part > 0 && endingOf(data) != ".vti")
+		throw Refusal(
+		    "is neither image data nor unstructured, and nothing else is packed yet; convert it to .vtu first");
 	if (ending == ".vtkhdf")
 		return writeVtkHdf(data, file, request.threads);
 	if (ending == ".vtu" && endingOf(data) != ending)

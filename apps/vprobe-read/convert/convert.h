@@ -2,6 +2,7 @@
 
 #include <vtkSmartPointer.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -29,5 +30,8 @@ void writeConverted(const std::vector<KeptBlock>& blocks, const Request& request
 // Writes one block as VTKHDF, images in bricks. Their arrays may stay in the files that they come from (storedArray()).
 // threads: the most to use. Only vprobe-read-more has this.
 void writeVtkHdf(vtkDataSet* data, const std::string& file, int threads);
+
+// Writes an unstructured grid in parts of at most so many cells. Only vprobe-read-more has this.
+void writePack(vtkDataSet* data, const std::string& file, std::size_t cells_of_part, int threads);
 
 } // namespace vp::reader::convert

@@ -1,5 +1,6 @@
 // VTKHDF 1.0, which VTK 9.1 reads and does not write: image data and unstructured grids of one piece.
 #include "convert.h"
+#include "hdf5_output.h"
 #include "stored_layers.h"
 #include "vprobe-read/base/refusal.h"
 
@@ -17,7 +18,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 #include <vector>
 
 #include <hdf5.h>
@@ -27,96 +27,6 @@ namespace vp::reader::convert
 
 namespace
 {
-
-hid_t checked(hid_t id)
-{
-	if (id < 0)
-		throw NoRoom(kNoRoom);
-	return id;
-}
-
-// Closes what HDF5 opened.
-class Handle
-{
-public:
-	Handle(hid_t id, herr_t (*close)(hid_t)) : id_(checked(id)), close_(close) {}
-	~Handle()
-	{
-		if (id_ >= 0)
-			close_(id_);
-	}
-	// Writes the data that are still in memory. There may be no room for them.
-	void close()
-	{
-		if (close_(std::exchange(id_, -1)) < 0)
-			throw NoRoom(kNoRoom);
-	}
-	Handle(const Handle&) = delete;
-	Handle& operator=(const Handle&) = delete;
-	operator hid_t() const { return id_; }
-
-private:
-	hid_t id_;
-	herr_t (*close_)(hid_t);
-};
-
-hid_t typeOf(int vtk_type)
-{
-	switch (vtk_type)
-	{
-	case VTK_CHAR:
-	case VTK_SIGNED_CHAR:
-		return H5T_NATIVE_SCHAR;
-	case VTK_UNSIGNED_CHAR:
-		return H5T_NATIVE_UCHAR;
-	case VTK_SHORT:
-		return H5T_NATIVE_SHORT;
-	case VTK_UNSIGNED_SHORT:
-		return H5T_NATIVE_USHORT;
-	case VTK_INT:
-		return H5T_NATIVE_INT;
-	case VTK_UNSIGNED_INT:
-		return H5T_NATIVE_UINT;
-	case VTK_LONG:
-	case VTK_LONG_LONG:
-	case VTK_ID_TYPE:
-		return H5T_NATIVE_LLONG;
-	case VTK_UNSIGNED_LONG:
-	case VTK_UNSIGNED_LONG_LONG:
-		return H5T_NATIVE_ULLONG;
-	case VTK_FLOAT:
-		return H5T_NATIVE_FLOAT;
-	case VTK_DOUBLE:
-		return H5T_NATIVE_DOUBLE;
-	default:
-		return -1;
-	}
-}
-
-template <class Number, std::size_t N>
-void writeAttribute(hid_t group, const char* name, hid_t type, const std::array<Number, N>& numbers)
-{
-	const hsize_t size = N;
-	const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
-	const Handle attribute(H5Acreate2(group, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-	checked(H5Awrite(attribute, type, numbers.data()));
-}
-
-void writeType(hid_t group, const std::string& type)
-{
-	const Handle text(H5Tcopy(H5T_C_S1), H5Tclose);
-	H5Tset_size(text, type.size());
-	const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-	const Handle attribute(H5Acreate2(group, "Type", text, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-	checked(H5Awrite(attribute, text, type.c_str()));
-}
-
-void writeValues(hid_t group, const char* name, hid_t type, const std::vector<hsize_t>& sides, const void* values)
-{
-	const Handle space(H5Screate_simple(static_cast<int>(sides.size()), sides.data(), nullptr), H5Sclose);
-	const Handle set(H5Dcreate2(group, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
-	checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
-}
 
 // A cut of a large image then reads the bricks that it meets. All along an axis are alike, so that the last ones are
 // not mostly empty.
@@ -178,7 +88,7 @@ void writeBricks(hid_t group, const char* name, vtkDataArray* array, const std::
 void writeArrays(hid_t root, const char* name, vtkDataSetAttributes* fields, const std::vector<hsize_t>& sides,
                  int threads)
 {
-	const Handle group(H5Gcreate2(root, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+	const Handle group = groupInOrder(root, name);
 	for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
 	{
 		vtkDataArray* array = fields->GetArray(i);
@@ -187,10 +97,7 @@ void writeArrays(hid_t root, const char* name, vtkDataSetAttributes* fields, con
 		std::vector<hsize_t> all = sides;
 		if (array->GetNumberOfComponents() > 1)
 			all.push_back(static_cast<hsize_t>(array->GetNumberOfComponents()));
-		std::string plain = array->GetName();
-		for (char& c : plain)
-			if (c == '/' || c == '.')
-				c = '_'; // which HDF5 takes for a way to another group
+		const std::string plain = nameInFile(array->GetName());
 		const auto bytes =
 		    static_cast<hsize_t>(array->GetNumberOfValues()) * static_cast<hsize_t>(array->GetDataTypeSize());
 		if (arrays::storedPlaceOf(array) || (sides.size() == 3 && bytes > kMinBytesInBricks))

@@ -50,6 +50,11 @@ void convert::writeVtkHdf(vtkDataSet*, const std::string&, int)
 	throw Refusal("VTKHDF is written by vprobe-read-more"); // which this process has become by then
 }
 
+void convert::writePack(vtkDataSet*, const std::string&, std::size_t, int)
+{
+	throw Refusal("packs are written by vprobe-read-more"); // likewise
+}
+
 #define VP_IN_base(ROOM, FUNCTION)
 #define VP_IN_more(ROOM, FUNCTION)                                                                                     \
 	void ROOM::read##FUNCTION(const Request& request, manifest::Writer&)                                               \

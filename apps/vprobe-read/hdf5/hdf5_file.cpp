@@ -80,7 +80,7 @@ bool File::leadsNowhere(const std::string& path) const
 	return has(path) && Handle(H5Oopen(file_, path.c_str(), H5P_DEFAULT), H5Oclose) < 0;
 }
 
-std::vector<std::string> File::namesIn(const std::string& group) const
+std::vector<std::string> File::namesIn(const std::string& group, Order order) const
 {
 	std::vector<std::string> names;
 	if (!has(group) || isSet(group))
@@ -88,6 +88,9 @@ std::vector<std::string> File::namesIn(const std::string& group) const
 	const Handle opened(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), H5Gclose);
 	if (opened < 0)
 		throw damaged(fmt::format("{} cannot be listed", group));
+	if (order == Order::creation && H5Literate(opened, H5_INDEX_CRT_ORDER, H5_ITER_INC, nullptr, addName, &names) >= 0)
+		return names;
+	names.clear();
 	if (H5Literate(opened, H5_INDEX_NAME, H5_ITER_INC, nullptr, addName, &names) < 0)
 		throw damaged(fmt::format("{} cannot be listed", group));
 	return names;

@@ -28,8 +28,13 @@ public:
 	bool has(const std::string& path) const;
 	bool isSet(const std::string& path) const;        // and no group
 	bool leadsNowhere(const std::string& path) const; // a link whose target is not there
-	// Returns the names in a group, in alphabetical order, or none if there is no group.
-	std::vector<std::string> namesIn(const std::string& group) const;
+	// Returns the names in a group, or none if there is no group.
+	enum class Order
+	{
+		alphabet,
+		creation // if the group knows it
+	};
+	std::vector<std::string> namesIn(const std::string& group, Order order = Order::alphabet) const;
 
 	// Return all values of a data set.
 	std::vector<double> reals(const std::string& path) const;
@@ -57,6 +62,10 @@ public:
 	// Returns where the values of an image lie in the file (hdf5_stored.h), or nothing if they cannot stay there.
 	std::optional<arrays::StoredPlace> storedPlace(const std::string& path, const arrays::ValueLayout& layout,
 	                                               const std::vector<std::uint64_t>& front) const;
+
+	// Returns where the numbers of a data set begin in the file (hdf5_stored.h), or nothing.
+	std::optional<std::uint64_t> plainOffset(const std::string& path, grid::NumberType type) const;
+	const std::string& name() const { return name_; } // the file's path
 
 	bool isFloat(const std::string& path) const;
 	// Returns the least and the greatest number that a data set of integers can hold.

@@ -75,6 +75,11 @@ std::optional<arrays::StoredPlace> File::storedPlace(const std::string& path, co
 	return storedPlaceOf(file_, name_, path, layout, front);
 }
 
+std::optional<std::uint64_t> File::plainOffset(const std::string& path, NumberType type) const
+{
+	return plainOffsetOf(file_, name_, path, type);
+}
+
 std::vector<std::int64_t> File::integersFrom(const std::string& path, std::uint64_t begin, std::uint64_t count) const
 {
 	const std::vector<std::uint64_t> sides = sidesOf(path);

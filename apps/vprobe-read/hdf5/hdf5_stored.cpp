@@ -142,4 +142,16 @@ std::optional<arrays::StoredPlace> storedPlaceOf(hid_t file, const std::string& 
 	return place;
 }
 
+std::optional<std::uint64_t> plainOffsetOf(hid_t file, const std::string& name_of_file, const std::string& path,
+                                           grid::NumberType type)
+{
+	const Handle set = openedSet(file, path);
+	const Handle properties(set < 0 ? -1 : H5Dget_create_plist(set), H5Pclose);
+	if (properties < 0 || H5Pget_external_count(properties) > 0 || H5Pget_layout(properties) != H5D_CONTIGUOUS ||
+	    swapsBytes(set, type) != std::optional(false) || fileOfSet(set, name_of_file) != name_of_file)
+		return std::nullopt;
+	const haddr_t begin = H5Dget_offset(set);
+	return begin == HADDR_UNDEF ? std::nullopt : std::optional<std::uint64_t>(begin);
+}
+
 } // namespace vp::reader::hdf5

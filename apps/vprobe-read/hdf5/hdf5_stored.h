@@ -20,4 +20,9 @@ std::optional<arrays::StoredPlace> storedPlaceOf(hid_t file, const std::string& 
                                                  const arrays::ValueLayout& layout,
                                                  const std::vector<std::uint64_t>& front);
 
+// Returns where the numbers of a data set begin in the file, if they lie there one after the other, as they are in
+// memory. Else nothing.
+std::optional<std::uint64_t> plainOffsetOf(hid_t file, const std::string& name_of_file, const std::string& path,
+                                           grid::NumberType type);
+
 } // namespace vp::reader::hdf5

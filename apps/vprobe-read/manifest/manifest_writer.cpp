@@ -181,6 +181,24 @@ void Writer::addDataSet(const std::string& name, vtkDataSet* read)
 		keep(name, wanted);
 }
 
+void Writer::addPack(vtkUnstructuredGrid* grid, json facts, std::span<const std::uint32_t> numbers)
+{
+	const std::size_t before = blocks_.size();
+	addDataSet("", grid);
+	if (blocks_.size() == before)
+		return;
+	json& block = blocks_.back();
+	const json of_arrays = std::exchange(facts["arrays"], {});
+	facts.erase("arrays");
+	for (json& array : block["arrays"])
+		if (const std::string key =
+		        fmt::format("{}:{}", array.at("association").get<std::string>(), array.at("name").get<std::string>());
+		    of_arrays.contains(key))
+			array["facts"] = of_arrays.at(key);
+	facts["numbers"] = arrays::writeInt64(cell_writer_, numbers);
+	block["pack"] = std::move(facts);
+}
+
 void Writer::addImageOf(vtkImageData* piece, const std::array<int, 3>& first)
 {
 	if (displacement_.isOn())

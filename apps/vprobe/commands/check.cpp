@@ -62,10 +62,9 @@ std::size_t unmergedFaces(const grid::BlockSet& blocks, std::vector<grid::SetCel
 	return count;
 }
 
-std::size_t sourceCell(const grid::BlockSet& blocks, const grid::SetCell& cell)
+std::int64_t numberOf(const grid::BlockSet& blocks, const grid::SetCell& cell)
 {
-	return std::visit([&](const auto& grid) { return std::size_t(grid.sourceCell(cell.cell)); },
-	                  blocks.blocks[cell.block].grid);
+	return grid::cellNumber(blocks.blocks[cell.block], cell.cell);
 }
 
 std::vector<grid::SetCell> inFileOrder(const grid::BlockSet& blocks, std::vector<grid::SetCell> cells)
@@ -73,7 +72,7 @@ std::vector<grid::SetCell> inFileOrder(const grid::BlockSet& blocks, std::vector
 	std::ranges::sort(cells);
 	cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
 	std::ranges::sort(cells, {},
-	                  [&](const grid::SetCell& cell) { return std::pair(cell.block, sourceCell(blocks, cell)); });
+	                  [&](const grid::SetCell& cell) { return std::pair(cell.block, numberOf(blocks, cell)); });
 	return cells;
 }
 
@@ -144,7 +143,7 @@ nlohmann::json findingsJson(const grid::BlockSet& blocks, const std::vector<Find
 			faults.push_back(finding.key);
 		for (std::size_t i = 0; i < std::min(kCellsTold, finding.cells.size()); ++i)
 			first_cells[finding.key].push_back(
-			    {{"block", finding.cells[i].block}, {"cell", sourceCell(blocks, finding.cells[i])}});
+			    {{"block", finding.cells[i].block}, {"cell", numberOf(blocks, finding.cells[i])}});
 	}
 	document["faults"] = faults;
 	document["first_cells"] = first_cells;
@@ -161,8 +160,8 @@ void printFindings(const grid::BlockSet& blocks, const std::vector<Finding>& fin
 			continue;
 		std::string cells;
 		for (std::size_t i = 0; i < std::min(kCellsTold, finding.cells.size()); ++i)
-			cells += several ? fmt::format(" {}:{}", finding.cells[i].block, sourceCell(blocks, finding.cells[i]))
-			                 : fmt::format(" {}", sourceCell(blocks, finding.cells[i]));
+			cells += several ? fmt::format(" {}:{}", finding.cells[i].block, numberOf(blocks, finding.cells[i]))
+			                 : fmt::format(" {}", numberOf(blocks, finding.cells[i]));
 		if (!cells.empty())
 			cells = fmt::format("; {}{}{}", several ? "block:cell" : "cells", cells,
 			                    finding.cells.size() > kCellsTold ? " ..." : "");

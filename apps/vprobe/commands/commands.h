@@ -26,6 +26,7 @@ using Run = std::function<Result<ExitCode>()>;
 	X("check", addCheck)                                                                                               \
 	X("sample", addSample)                                                                                             \
 	X("convert", addConvert)                                                                                           \
+	X("pack", addPack)                                                                                                 \
 	X("manual", addManual)
 
 #define VP_DECLARE(name, add) void add(CLI::App& program, Run& run);

@@ -1,11 +1,10 @@
 #include "read/convert.h"
 #include "commands/commands.h"
+#include "commands/convert_to_file.h"
 #include "interrupt.h"
 #include "options/spec_options.h"
 #include "session/session.h"
-#include "write/atomic_file.h"
 #include "write/file_set.h"
-#include "write/own_folder.h"
 #include "write/xml_text.h"
 
 #include <fmt/format.h>
@@ -31,23 +30,6 @@ struct ConvertOptions
 	std::vector<std::string> arrays;
 	std::string output;
 };
-
-Status convertToFile(const std::string& input, const read::ReadOptions& reading, const std::string& output)
-{
-	Result<write::AtomicFile> out = write::AtomicFile::create(output);
-	if (!out)
-		return out.error();
-	if (out->beside().empty())
-		return Error{ErrorKind::usage, fmt::format("-o {}: a device or pipe; name a file", output)};
-	const Result<write::OwnFolder> folder = write::OwnFolder::besideFile(output);
-	if (!folder)
-		return folder.error();
-	if (Status done = read::convert(input, reading, output, folder->path()); !done)
-		return done;
-	if (Status taken = out->take((fs::path(folder->path()) / fs::path(output).filename()).string()); !taken)
-		return taken;
-	return out->commit();
-}
 
 // As an index names a piece.
 std::string quoted(const std::string& name)

@@ -130,6 +130,7 @@ nlohmann::json infoJson(const grid::BlockSet& blocks, int level)
 		    block.grid);
 		nlohmann::json& each =
 		    block_list.emplace_back(nlohmann::json{{"name", block.name}, {"cells", cells}, {"points", points}});
+		each["parts"] = block.whole ? nlohmann::json(block.whole->parts.all) : nlohmann::json();
 		if (const auto lattice = latticeOf(block))
 		{
 			each["lattice"] = lattice->points;
@@ -240,6 +241,8 @@ void printBlocks(const grid::BlockSet& blocks)
 	{
 		if (const std::string lattice = latticeWords(blocks.blocks[0]); !lattice.empty())
 			print("        {}\n", lattice);
+		if (const auto& whole = blocks.blocks[0].whole)
+			print("        packed in {} parts; `slice` and `render` read those that they cut\n", whole->parts.all);
 		return;
 	}
 	for (std::size_t b = 0; b < std::min(kMaxPrinted, blocks.blocks.size()); ++b)

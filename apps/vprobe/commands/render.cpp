@@ -87,7 +87,8 @@ Result<ExitCode> runRender(RenderOptions& options)
 	const view::ViewSpec& spec = options.common.spec;
 	if (Status ready = prepare(options.common); !ready)
 		return ready.error();
-	session::OpenOptions how{.expect = session::Expect::one_cut, .reads_all_arrays = false, .time_may_change = false};
+	session::OpenOptions how{
+	    .expect = session::Expect::one_cut, .reads_all_arrays = false, .time_may_change = false, .one_frame = true};
 	if (options.common.explain)
 		return explain(spec, how);
 	const bool tells_place = options.output.empty() && options.expect.empty() && options.stats != "-";

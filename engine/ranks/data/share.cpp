@@ -370,8 +370,18 @@ Share::Counts countsOf(const Ranks& ranks, const grid::BlockSet& blocks)
 {
 	if (ranks.team())
 		return ranks.share().counts;
-	return {blocks.kind(),      blocks.sourceCellCount(), blocks.sourcePointCount(),
-	        blocks.cellCount(), blocks.pointCount(),      blocks.blocks.size()};
+	Share::Counts counts{blocks.kind(),      blocks.sourceCellCount(), blocks.sourcePointCount(),
+	                     blocks.cellCount(), blocks.pointCount(),      blocks.blocks.size()};
+	for (const grid::Block& block : blocks.blocks)
+		if (block.whole)
+		{
+			const Share::Counts here = countsOf(block);
+			counts.cells += block.whole->cells - here.cells;
+			counts.points += block.whole->points - here.points;
+			counts.linear_cells += block.whole->cells - here.linear_cells;
+			counts.linear_points += block.whole->points - here.linear_points;
+		}
+	return counts;
 }
 
 bool isHere(const Ranks& ranks, std::size_t block)

@@ -1,4 +1,5 @@
 #include "read/child.h"
+#include "read/packed_grid.h"
 #include "read/protocol.h"
 #include "read/read.h"
 #include "read/reader_process.h"
@@ -13,6 +14,8 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <optional>
+#include <sstream>
 #include <thread>
 
 #include <fcntl.h>
@@ -169,6 +172,7 @@ TEST_F(ScriptedReader, GetsItsArgumentsAndNoOtherDescriptors)
 	options.raw.size = {8, 4, 2};
 	options.convert_to = "out.vti";
 	options.convert_folder = "out.new";
+	options.cells_of_part = 4096;
 	options.stays_above = 4096;
 	options.unpack = "64 deflate";
 	options.level = 2;
@@ -177,7 +181,7 @@ TEST_F(ScriptedReader, GetsItsArgumentsAndNoOtherDescriptors)
 	constexpr int leaked = 50;
 	ASSERT_EQ(dup2(STDERR_FILENO, leaked), leaked);
 	const auto handed =
-	    run("echo \"$1|$2|$3|$4|$5|$6|$7|$8|$9|${10}|${11}|${12}|${13}|${14}|${15}|${16}|${17}|${18}\" >&4; "
+	    run("echo \"$1|$2|$3|$4|$5|$6|$7|$8|$9|${10}|${11}|${12}|${13}|${14}|${15}|${16}|${17}|${18}|${19}\" >&4; "
 	        "[ -e /proc/$$/fd/50 ] && "
 	        "echo leaked >&4; exit 0",
 	        options);
@@ -185,7 +189,7 @@ TEST_F(ScriptedReader, GetsItsArgumentsAndNoOtherDescriptors)
 	setFollow({});
 	ASSERT_TRUE(handed) << handed.error().message;
 	EXPECT_EQ(handed->manifest, "2.5|some.q|3|0.5 my moves|1|1|^\n=p\n=cell:q|raw|8x4x2 uint8 1x1x1 "
-	                            "little|out.vti|out.new||auto|/data\nanywhere|4096|64 deflate|2|" +
+	                            "little|out.vti|out.new|4096||auto|/data\nanywhere|4096|64 deflate|2|" +
 	                                input_ + "\n");
 }
 
@@ -331,4 +335,60 @@ TEST(InputPath, LimitsFollowTheBytes)
 	EXPECT_EQ(small->time.count(), 15);
 	EXPECT_EQ(large->time.count(), 25);
 	EXPECT_GE(large->memory, small->memory);
+}
+
+// A reader that asks which parts of a pack are wanted: a text, and one box.
+TEST_F(ScriptedReader, ThatAsksForPartsIsAnswered)
+{
+	const std::string question = R"({"points": 8, "cells": 5, "arrays": []})";
+	const std::string ask =
+	    fmt::format(R"(printf 'vparts?\n\{:03o}\0\0\0\0\0\0\0\1\0\0\0\0\0\0\0{}' >&4; head -c 48 /dev/zero >&4; )",
+	                question.size(), question);
+	const std::string tell = "head -c 8 | od -An -tu8 >&4; od -An -tu8 /proc/self/fd/5 >&4";
+	std::size_t cells = 0;
+	ReadOptions options;
+	options.choose_parts = [&](const PackedGrid& grid)
+	{
+		cells = grid.cells;
+		return std::optional(std::vector<std::uint64_t>{0});
+	};
+	const Result<HandedOver> handed = run(ask + tell, options);
+	ASSERT_TRUE(handed) << handed.error().message;
+	EXPECT_EQ(cells, 5u);
+	std::istringstream words(handed->manifest);
+	std::uint64_t count = 0, number = 7;
+	words >> count >> number;
+	EXPECT_EQ(count, 1u);
+	EXPECT_EQ(number, 0u);
+
+	options.choose_parts = [](const PackedGrid&) { return std::nullopt; };
+	const Result<HandedOver> all = run(ask + "head -c 8 | od -An -tu8 >&4", options);
+	ASSERT_TRUE(all) << all.error().message;
+	EXPECT_EQ(std::stoull(all->manifest), kAllParts);
+
+	// Other readers do not ask.
+	const Result<HandedOver> other = run("echo '{\"version\": 1}' >&4", options);
+	ASSERT_TRUE(other) << other.error().message;
+	EXPECT_EQ(other->manifest, "{\"version\": 1}\n");
+}
+
+TEST_F(ScriptedReader, ThatAsksBadlyIsAnInputError)
+{
+	ReadOptions options;
+	bool was_asked = false;
+	options.choose_parts = [&](const PackedGrid&)
+	{
+		was_asked = true;
+		return std::nullopt;
+	};
+	for (const char* script : {R"(printf 'vparts?\n\0\0\0\0\0\0\0\1\1\0\0\0\0\0\0\0' >&4)",
+	                           R"(printf 'vparts?\n\2\0\0\0\0\0\0\0\1\0\0\0\0\0\0\1{}' >&4)",
+	                           R"(printf 'vparts?\n\2\0\0\0\0\0\0\0\1\0\0\0\0\0\0\0{}' >&4; head -c 48 /dev/zero >&4)",
+	                           R"(printf 'vparts?\n\2\0' >&4)", R"(printf 'vparts?\n' >&4)", "echo >&4"})
+	{
+		const Result<HandedOver> handed = run(script, options);
+		ASSERT_FALSE(handed) << script;
+		EXPECT_EQ(handed.error().kind, ErrorKind::input) << script;
+	}
+	EXPECT_FALSE(was_asked);
 }

@@ -6,6 +6,9 @@
 
 #include <netcdf.h>
 
+#include <algorithm>
+#include <set>
+
 namespace
 {
 
@@ -99,6 +102,112 @@ void writeVtkHdf(const std::string& path)
 	file.attribute("/VTKHDF", "Version", std::vector<double>{2.0, 0.0});
 	file.attribute("/VTKHDF", "Type", "UnstructuredGrid");
 	file.attribute("/VTKHDF/Steps", "NSteps", std::vector<double>{2.0});
+}
+
+// One part of a pack: its points ascending, as the whole numbers them, and its cells in runs of 16 with a box each.
+struct SamplePart
+{
+	std::vector<std::uint32_t> points, cells;
+	std::vector<std::int32_t> ids, ends = {0};
+	std::vector<double> boxes;
+	std::vector<std::uint32_t> ids_of_run;
+};
+
+SamplePart samplePart(const std::vector<std::array<int, 8>>& cells, const std::vector<Vec3>& places,
+                      std::uint32_t first, std::uint32_t end)
+{
+	SamplePart part;
+	std::set<int> used;
+	for (std::uint32_t c = first; c < end; ++c)
+		used.insert(cells[c].begin(), cells[c].end());
+	part.points.assign(used.begin(), used.end());
+	vp::Box box;
+	for (std::uint32_t c = first; c < end; ++c)
+	{
+		part.cells.push_back(c);
+		for (const int corner : cells[c])
+		{
+			part.ids.push_back(static_cast<std::int32_t>(std::distance(used.begin(), used.find(corner))));
+			box.include(places[static_cast<std::size_t>(corner)]);
+		}
+		part.ends.push_back(static_cast<std::int32_t>(part.ids.size()));
+		if (part.cells.size() % 16 != 0 && c + 1 < end)
+			continue;
+		for (const Vec3& corner : {box.lo, box.hi})
+			part.boxes.insert(part.boxes.end(), {corner.x, corner.y, corner.z});
+		part.ids_of_run.push_back(static_cast<std::uint32_t>(8 * ((part.cells.size() - 1) % 16 + 1)));
+		box = {};
+	}
+	return part;
+}
+
+// A pack of two parts, after docs/FORMATS.md.
+void writePack(const std::string& path)
+{
+	std::vector<Vec3> places;
+	std::vector<std::array<int, 8>> cells;
+	std::vector<double> middles;
+	eachSamplePoint([&](const Vec3& at, int) { places.push_back(at); });
+	eachSampleCell(
+	    [&](const Vec3& middle, const std::array<int, 8>& corners, int)
+	    {
+		    cells.push_back(corners);
+		    middles.push_back(sampleValue(middle));
+	    });
+	SampleHdf5 file(path);
+	SamplePart all;
+	std::vector<std::int64_t> point_counts, cell_counts, id_counts;
+	all.ends.clear();
+	const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+	for (const auto& [first, end] : {std::pair(0u, 24u), std::pair(24u, 60u)})
+	{
+		const SamplePart part = samplePart(cells, places, first, end);
+		point_counts.push_back(static_cast<std::int64_t>(part.points.size()));
+		cell_counts.push_back(static_cast<std::int64_t>(part.cells.size()));
+		id_counts.push_back(static_cast<std::int64_t>(part.ids.size()));
+		append(all.points, part.points);
+		append(all.cells, part.cells);
+		append(all.ids, part.ids);
+		append(all.ends, part.ends);
+		append(all.boxes, part.boxes);
+		append(all.ids_of_run, part.ids_of_run);
+	}
+	std::vector<double> xyz, f, g;
+	for (const std::uint32_t p : all.points)
+	{
+		xyz.insert(xyz.end(), {places[p].x, places[p].y, places[p].z});
+		f.push_back(sampleValue(places[p]));
+	}
+	for (const std::uint32_t c : all.cells)
+		g.push_back(middles[c]);
+	const auto list = [&](const std::string& name, hid_t type, const auto& numbers)
+	{ file.set(name, {numbers.size()}, type, numbers.data()); };
+	list("/VTKHDF/NumberOfPoints", H5T_NATIVE_INT64, point_counts);
+	list("/VTKHDF/NumberOfCells", H5T_NATIVE_INT64, cell_counts);
+	list("/VTKHDF/NumberOfConnectivityIds", H5T_NATIVE_INT64, id_counts);
+	list("/VTKHDF/Connectivity", H5T_NATIVE_INT32, all.ids);
+	list("/VTKHDF/Offsets", H5T_NATIVE_INT32, all.ends);
+	list("/VTKHDF/Types", H5T_NATIVE_UINT8, std::vector<std::uint8_t>(all.cells.size(), 12));
+	file.set("/VTKHDF/Points", {all.points.size(), 3}, H5T_NATIVE_DOUBLE, xyz.data());
+	list("/VTKHDF/PointData/f", H5T_NATIVE_DOUBLE, f);
+	list("/VTKHDF/CellData/g", H5T_NATIVE_DOUBLE, g);
+	file.attribute("/VTKHDF", "Version", std::vector<double>{1.0, 0.0});
+	file.attribute("/VTKHDF", "Type", "UnstructuredGrid");
+	list("/vprobe/PointNumbers", H5T_NATIVE_UINT32, all.points);
+	list("/vprobe/CellNumbers", H5T_NATIVE_UINT32, all.cells);
+	list("/vprobe/NumberOfConnectivityIds", H5T_NATIVE_UINT32, all.ids_of_run);
+	file.set("/vprobe/Boxes", {all.boxes.size() / 6, 6}, H5T_NATIVE_DOUBLE, all.boxes.data());
+	for (const auto& [name, values] :
+	     {std::pair("/vprobe/PointData/f/Spans", &f), std::pair("/vprobe/CellData/g/Spans", &g)})
+	{
+		const auto [lo, hi] = std::ranges::minmax(*values);
+		const double longest = std::max(std::abs(lo), std::abs(hi)), shortest = std::min(std::abs(lo), std::abs(hi));
+		const std::vector<double> spans = {lo, hi, 0.0, 0.0, shortest, longest, 0.0, 0.0};
+		file.set(name, {2, 4}, H5T_NATIVE_DOUBLE, spans.data());
+	}
+	file.attribute("/vprobe", "NumberOfPoints", std::vector<double>{kSamplePointCount});
+	file.attribute("/vprobe", "NumberOfCells", std::vector<double>{kSampleCellCount});
+	file.attribute("/vprobe", "CellsOfRun", std::vector<double>{16});
 }
 
 // Returns the stored words of each plane of constant z: 0 to 65535 from its least to its greatest value.
@@ -365,6 +474,7 @@ std::vector<SampleFile> containerSamples()
 	return {
 	    {"fields.med", writeMed, "unstructured", kSampleCellCount, kSamplePointCount, true, ""},
 	    {"steps.vtkhdf", writeVtkHdf, "unstructured", kSampleCellCount, kSamplePointCount, true, ""},
+	    {"packed.vtkhdf", writePack, "unstructured", kSampleCellCount, kSamplePointCount, true, ""},
 	    {"chunks.vtkhdf", writeVtkHdfImage, "image", kSampleCellCount, kSamplePointCount, false, ""},
 	    {"two.mnc", writeMinc2, "image", kSampleCellCount, kSamplePointCount, false, ""},
 	    {"one.mnc", writeMinc1, "image", kSampleCellCount, kSamplePointCount, false, ""},

@@ -235,14 +235,14 @@ std::vector<Try> whatReadersNeed(const std::string& input)
 
 int main(int count, char** arguments)
 {
-	if (count != 19)
+	if (count != 20)
 		return 1;
 	vp::reader::Request request;
 	request.solution = arguments[2];
 	request.format = arguments[8];
 	request.convert_folder = arguments[11];
-	request.sandbox = arguments[13];
-	request.file = arguments[18];
+	request.sandbox = arguments[14];
+	request.file = arguments[19];
 	const fs::path folder = fs::path(request.file).parent_path();
 	const std::string home = folder.parent_path() / "home";
 	becomeOrdinary();

@@ -1,4 +1,6 @@
+#include "grid/array_facts.h"
 #include "read/manifest.h"
+#include "read/packed_grid.h"
 #include "read/protocol.h"
 #include "tries.h"
 
@@ -7,6 +9,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <random>
 
@@ -129,6 +132,96 @@ void expectRefused(const Made& made, const char* what)
 }
 
 constexpr std::size_t kMesh = 3;
+
+// A manifest of the mesh alone, as that of a pack of ten cells.
+Made makePackManifest()
+{
+	Made made = makeManifest();
+	json& blocks = made.manifest()["blocks"];
+	blocks = json::array({blocks.back()});
+	made.block(0)["pack"] = {{"points", 20},
+	                         {"cells", 10},
+	                         {"bounds", {-1.0, 0.0, -1.0, 4.0, 1.0, 1.0}},
+	                         {"parts", 5},
+	                         {"parts_read", 2},
+	                         {"bytes_read", 1000},
+	                         {"numbers", made.array<std::int64_t>("int64", {7, 3, 9})}};
+	for (json& array : made.block(0)["arrays"])
+	{
+		array["facts"] = {{"tuples", 20}, {"values", {3.0, 1.0, 3.0}}, {"changes", {4, 2}}};
+		array["facts"]["spans"] = json::array({{-1.0, 5.0, false, true}});
+		for (int component = 1; component < array["components"]; ++component)
+			array["facts"]["spans"].push_back({2.0, 2.0, false, false});
+		array["facts"]["spans"].push_back({nullptr, nullptr, false, false});
+	}
+	return made;
+}
+
+TEST(Manifest, TakesTheWholeOfAPack)
+{
+	const Result<CheckedInput> input = makePackManifest().check();
+	ASSERT_TRUE(input) << input.error().message;
+	const grid::WholeGrid& whole = *input->blocks[0].whole;
+	EXPECT_EQ(whole.cells, 10u);
+	EXPECT_EQ(whole.bounds.hi.x, 4.0);
+	EXPECT_EQ(whole.parts.read, 2u);
+	EXPECT_EQ(whole.cell_numbers[2], 9);
+	const grid::Field& field = input->blocks[0].fields[0];
+	EXPECT_EQ(grid::valueSpan(field, 0).hi, 5.0);
+	EXPECT_TRUE(grid::valueSpan(field, 0).plus_infinity);
+	EXPECT_TRUE(grid::valueSpan(field, grid::kMagnitude).empty());
+	EXPECT_EQ(field.facts->values.count, 2u);
+	EXPECT_EQ(field.facts->values.values[0], 1.0);
+}
+
+TEST(Manifest, RefusesAPackThatContradictsItself)
+{
+	const std::vector<std::function<void(Made&)>> damages = {
+	    [](Made& m) { m.block(0)["pack"]["cells"] = 2; },
+	    [](Made& m) { m.block(0)["pack"]["cells"] = -1; },
+	    [](Made& m) { m.block(0)["pack"]["parts_read"] = 6; },
+	    [](Made& m) { m.block(0)["pack"]["bounds"][0] = 5.0; },
+	    [](Made& m) { m.block(0)["pack"]["bounds"].erase(5); },
+	    [](Made& m) {
+		    m.block(0)["pack"]["numbers"] = m.array<std::int64_t>("int64", {1, 2});
+	    },
+	    [](Made& m) { m.block(0)["pack"].erase("numbers"); },
+	    [](Made& m) { m.block(0)["arrays"][0]["facts"]["spans"].erase(1); },
+	    [](Made& m) { m.block(0)["arrays"][0]["facts"]["spans"][0][0] = 6.0; },
+	    [](Made& m) { m.block(0)["arrays"][0]["facts"]["spans"][0][2] = 1; },
+	    [](Made& m) { m.block(0)["arrays"][0]["facts"]["values"][0] = "x"; },
+	    [](Made& m) { m.block(0)["arrays"][0]["facts"].erase("changes"); },
+	};
+	for (std::size_t d = 0; d < damages.size(); ++d)
+	{
+		Made made = makePackManifest();
+		damages[d](made);
+		EXPECT_FALSE(made.check()) << d;
+	}
+}
+
+TEST(Manifest, ChecksWhatAReaderTellsOfAPack)
+{
+	const std::array<double, 6> box = {0.0, 0.0, 0.0, 1.0, 2.0, 3.0};
+	const double infinity = std::numeric_limits<double>::infinity();
+	const std::array<double, 6> none = {infinity, infinity, infinity, -infinity, -infinity, -infinity};
+	json about = {{"points", 8},
+	              {"cells", 4},
+	              {"arrays", {{{"name", "f"}, {"association", "cell"}, {"type", "int16"}, {"components", 3}}}}};
+	const Result<PackedGrid> grid = checkPackedGrid(about.dump(), {box, none});
+	ASSERT_TRUE(grid) << grid.error().message;
+	EXPECT_EQ(grid->bounds().hi.z, 3.0);
+	EXPECT_TRUE(grid->parts[1].empty());
+	EXPECT_EQ(grid->fields[0].components, 3);
+	EXPECT_FALSE(checkPackedGrid(about.dump(), {}));
+	EXPECT_FALSE(checkPackedGrid(about.dump(), {{0.0, 0.0, 0.0, 1.0, 1.0, infinity}}));
+	EXPECT_FALSE(checkPackedGrid("{", {box}));
+	EXPECT_FALSE(checkPackedGrid(std::string(1000, '['), {box}));
+	about["arrays"][0]["components"] = 0;
+	EXPECT_FALSE(checkPackedGrid(about.dump(), {box}));
+	about["arrays"][0].erase("components");
+	EXPECT_FALSE(checkPackedGrid(about.dump(), {box}));
+}
 
 } // namespace
 

@@ -18,14 +18,14 @@ namespace vp::reader::volumes
 namespace
 {
 
-using Sides = std::vector<std::pair<std::string, std::size_t>>;
+using CfSides = std::vector<std::pair<std::string, std::size_t>>;
 
 // One variable, before it is known which grid is shown.
 struct Candidate
 {
 	int variable;
 	std::string name;
-	Sides sides;
+	CfSides sides;
 	std::vector<std::size_t> space; // those of its dimensions that are longer than 1, and no time
 	std::optional<std::size_t> time;
 
@@ -97,7 +97,7 @@ public:
 			const int places = file_.variable(word.c_str());
 			if (places < 0 || cfTypeOf(file_, places) == 0)
 				continue;
-			const Sides sides = file_.dimensions(places);
+			const CfSides sides = file_.dimensions(places);
 			if (sides.size() != 1)
 				continue;
 			CfDimension& dimension = of(sides[0].first, sides[0].second);
@@ -111,7 +111,7 @@ public:
 	}
 
 	// Times have an axis, units or a name that say so; of four dimensions without, the one that grows.
-	std::optional<std::size_t> timeAmong(const Sides& sides)
+	std::optional<std::size_t> timeAmong(const CfSides& sides)
 	{
 		const auto roleAt = [&](std::size_t i) { return of(sides[i].first, sides[i].second).role; };
 		for (std::size_t i = 0; i < sides.size(); ++i)

@@ -9,6 +9,7 @@
 #include "vprobe-read/hdf5/hdf5_file.h"
 #include "vprobe-read/manifest/manifest_writer.h"
 #include "vprobe-read/manifest/time_choice.h"
+#include "vtkhdf_pack.h"
 #include "vtkhdf_steps.h"
 
 #include <vtkCellArray.h>
@@ -59,8 +60,13 @@ public:
 		refuseOtherKinds(type);
 		if (const auto step = manifest::offerSteps(VtkHdfStep::timesOf(file_), request_, manifest_))
 			step_ = VtkHdfStep(file_, *step);
+		const auto wants = [this](const std::string& association, const std::string& name, NumberType of_values,
+		                          std::uint64_t components)
+		{ return isWanted(association, name, of_values, components); };
 		if (type == "ImageData")
 			readImage();
+		else if (isVtkHdfPack(file_))
+			readVtkHdfPack(file_, request_, wants, manifest_);
 		else
 			readGrid();
 	}
@@ -160,7 +166,7 @@ private:
 	template <class Add>
 	void eachArray(const std::string& association, Add&& add)
 	{
-		for (const std::string& name : file_.namesIn(kVtkHdf + "/" + association + "Data"))
+		for (const std::string& name : file_.namesIn(kVtkHdf + "/" + association + "Data", hdf5::File::Order::creation))
 			if (file_.leadsNowhere(pathOf(association, name)))
 				manifest_.warn(fmt::format("the array {} is a link that leads nowhere, and is left out; keep the files "
 				                           "that it names together",

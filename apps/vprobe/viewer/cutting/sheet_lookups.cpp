@@ -16,8 +16,7 @@ std::vector<std::uint64_t> sourceCells(const grid::BlockSet& blocks, const mesh:
 	std::vector<std::uint64_t> cells;
 	cells.reserve(mesh.polygons());
 	for (const mesh::BlockCell& cell : mesh.polygon_cells)
-		cells.push_back(std::visit([&](const auto& grid) { return std::uint64_t(grid.sourceCell(cell.cell)); },
-		                           blocks.blocks[cell.block].grid));
+		cells.push_back(static_cast<std::uint64_t>(grid::cellNumber(blocks.blocks[cell.block], cell.cell)));
 	return cells;
 }
 

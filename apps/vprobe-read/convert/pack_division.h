@@ -1,0 +1,88 @@
+#pragma once
+
+#include <vtkCellArray.h>
+#include <vtkTypeInt32Array.h>
+#include <vtkTypeInt64Array.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+class vtkDataArray;
+
+namespace vp::reader::convert
+{
+
+// The ends of a box. Points without a place count nowhere, and without a point `lo` is beyond `hi`.
+struct PackBox
+{
+	std::array<double, 3> lo{INFINITY, INFINITY, INFINITY};
+	std::array<double, 3> hi{-INFINITY, -INFINITY, -INFINITY};
+
+	void include(const std::array<double, 3>& at);
+};
+
+// Cells that follow each other in a part.
+struct PackRun
+{
+	PackBox box;
+	std::uint32_t ids = 0; // that the cells list
+};
+
+// Divides the cells of a grid into parts that lie together in space.
+class PackDivision
+{
+public:
+	// Throws a Refusal for cells that a pack has no place for, and for ids that are no points.
+	PackDivision(vtkUnstructuredGrid* grid, std::size_t most_cells, int threads);
+
+	std::size_t parts() const { return cell_ends_.size(); }
+	// Return what a part has, as the grid numbers it: cells in their order there, points ascending.
+	std::span<const std::uint32_t> cells(std::size_t part) const;
+	std::span<const std::uint32_t> points(std::size_t part) const { return points_[part]; }
+	const std::vector<PackRun>& runs(std::size_t part) const { return runs_[part]; }
+	std::size_t cellsOfRun() const { return cells_of_run_; } // the last run of a part may have fewer
+	std::size_t ids(std::size_t part) const;
+	std::size_t allPoints() const; // the sum over all parts
+	std::size_t allIds() const;
+
+	std::span<const std::uint8_t> types() const { return types_; } // VTK's, as the grid numbers its cells
+	std::array<double, 3> place(std::size_t point) const;
+
+	// Calls use(OFFSETS, IDS) with the lists of the grid as they are kept.
+	template <class Use>
+	void withLists(Use&& use) const
+	{
+		vtkCellArray* cells = grid_->GetCells();
+		if (cells->IsStorage64Bit())
+			use(cells->GetOffsetsArray64()->GetPointer(0), cells->GetConnectivityArray64()->GetPointer(0));
+		else
+			use(cells->GetOffsetsArray32()->GetPointer(0), cells->GetConnectivityArray32()->GetPointer(0));
+	}
+	// Calls work(NUMBER) for each of so many, on all threads.
+	void forEach(std::size_t count, const std::function<void(std::size_t)>& work) const;
+
+private:
+	void refuseUnpackable() const;
+	void divideCells(std::size_t most_cells);
+	void choosePoints();
+	template <class Id>
+	std::uint64_t keyOf(const Id* begin, const Id* end, const PackBox& bounds) const;
+
+	vtkUnstructuredGrid* grid_;
+	std::span<const std::uint8_t> types_;
+	vtkDataArray* places_;
+	int threads_;
+	std::size_t cells_of_run_ = 512;
+	std::vector<std::uint32_t> order_; // the cells, part by part
+	std::vector<std::size_t> cell_ends_;
+	std::vector<std::vector<std::uint32_t>> points_;
+	std::vector<std::vector<PackRun>> runs_;
+};
+
+} // namespace vp::reader::convert

@@ -1,0 +1,219 @@
+#include "pack_index.h"
+
+#include "read/cell_types.h"
+#include "vprobe-read/base/refusal.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace vp::reader::vtk
+{
+
+using grid::NumberType;
+using nlohmann::json;
+
+namespace
+{
+
+const std::string kRoot = "/VTKHDF";
+const std::string kOwn = "/vprobe";
+
+std::uint64_t checkedCount(double count, const char* name)
+{
+	if (!(count >= 0.0 && count < static_cast<double>(std::uint64_t(1) << 40)))
+		throw damaged(fmt::format("its {} is missing or cannot be", name));
+	return static_cast<std::uint64_t>(count);
+}
+
+} // namespace
+
+bool isVtkHdfPack(const hdf5::File& file)
+{
+	return file.has(kOwn) && file.has(kOwn + "/Boxes");
+}
+
+PackIndex::PackIndex(const hdf5::File& file, const WantsVtkHdfArray& wants)
+    : file_(file), descriptor_(open(file.name().c_str(), O_RDONLY | O_CLOEXEC)),
+      parts_(file, VtkHdfStep(file, std::nullopt)), all_points_(countOf("NumberOfPoints")),
+      all_cells_(countOf("NumberOfCells"))
+{
+	if (descriptor_ < 0)
+		throw Refusal("it cannot be opened; check its permissions");
+	if (all_points_ > parts_.all_points || all_cells_ != parts_.all_cells)
+		throw damaged("its parts do not make up the whole");
+	listRuns();
+	for (const char* association : {"Point", "Cell"})
+		listArrays(association, wants);
+}
+
+PackIndex::~PackIndex()
+{
+	close(descriptor_);
+}
+
+std::uint64_t PackIndex::countOf(const char* name) const
+{
+	return checkedCount(file_.realOr(kOwn, name, -1.0), name);
+}
+
+std::uint8_t PackIndex::onlyType() const
+{
+	const double type = file_.realOr(kOwn, "CellType", 0.0);
+	return type > 0.0 && type < 256.0 ? static_cast<std::uint8_t>(type) : 0;
+}
+
+NumberType PackIndex::typeOfPoints() const
+{
+	return file_.numberType(kRoot + "/Points") == NumberType::float32 ? NumberType::float32 : NumberType::float64;
+}
+
+hdf5::Rows PackIndex::rowsOf(const std::string& list, NumberType type, std::uint64_t components) const
+{
+	const std::string path = list.starts_with("vprobe/") ? "/" + list : kRoot + "/" + list;
+	hdf5::Rows rows(file_, descriptor_, path, type);
+	if (rows.components() != components)
+		throw damaged(fmt::format("the rows of {} have {} numbers", path, rows.components()));
+	return rows;
+}
+
+template <class Row>
+std::vector<Row> PackIndex::allRows(const std::string& name, NumberType type, std::uint64_t size) const
+{
+	const hdf5::Rows rows(file_, descriptor_, kOwn + "/" + name, type);
+	if (rows.size() != size || rows.rowBytes() != sizeof(Row))
+		throw damaged(fmt::format("its {} do not match its cells", name));
+	std::vector<Row> values(size);
+	rows.read(0, size, values.data());
+	return values;
+}
+
+void PackIndex::listRuns()
+{
+	const std::uint64_t cells_of_run = countOf("CellsOfRun");
+	if (cells_of_run == 0)
+		throw damaged("its runs have no cells");
+	std::uint64_t count = 0;
+	for (const std::uint64_t cells : parts_.cells)
+		count += (cells + cells_of_run - 1) / cells_of_run;
+	const auto ids = allRows<std::uint32_t>("NumberOfConnectivityIds", NumberType::uint32, count);
+	boxes_ = allRows<std::array<double, 6>>("Boxes", NumberType::float64, count);
+	std::uint64_t first_cell = 0, first_id = 0, end_of_part = 0;
+	for (std::size_t part = 0; part < parts_.count(); ++part)
+	{
+		end_of_part += parts_.ids[part];
+		for (std::uint64_t left = parts_.cells[part]; left > 0;)
+		{
+			const std::uint64_t cells = std::min(left, cells_of_run);
+			runs_.push_back({part, first_cell, cells, first_id, ids[runs_.size()]});
+			left -= cells;
+			first_cell += cells;
+			first_id += runs_.back().ids;
+		}
+		if (first_id != end_of_part)
+			throw damaged("the runs of a part do not make up the part");
+	}
+	if (runs_.empty())
+		throw damaged("it has no cells");
+}
+
+void PackIndex::listArrays(const std::string& association, const WantsVtkHdfArray& wants)
+{
+	const std::string group = kRoot + "/" + association + "Data";
+	for (const std::string& name : file_.namesIn(group, hdf5::File::Order::creation))
+	{
+		const auto type = file_.numberType(group + "/" + name);
+		if (!type)
+			throw damaged(fmt::format("the array {} holds no numbers", name));
+		const hdf5::Rows rows(file_, descriptor_, group + "/" + name, *type);
+		if (rows.size() != (association == "Point" ? parts_.all_points : parts_.all_cells))
+			throw damaged(fmt::format("the array {} has not a value for each {}", name, association));
+		if (wants(association, name, *type, rows.components()))
+			arrays_.push_back({association, name, *type, rows.components(), factsOf(association, name, rows)});
+	}
+}
+
+// Returns the file's facts about all values of an array, as protocol.h has them.
+json PackIndex::factsOf(const std::string& association, const std::string& name, const hdf5::Rows& values) const
+{
+	const std::string path = kOwn + "/" + association + "Data/" + name;
+	const hdf5::Rows rows(file_, descriptor_, path + "/Spans", NumberType::float64);
+	if (rows.components() != 4 || rows.size() != values.components() + 1)
+		throw damaged(fmt::format("{} does not match its array", path));
+	std::vector<std::array<double, 4>> ends(rows.size());
+	rows.read(0, rows.size(), ends.data());
+	json facts = {{"tuples", association == "Point" ? all_points_ : all_cells_},
+	              {"spans", json::array()},
+	              {"values", json::array()},
+	              {"changes", {0u, 0u}}};
+	for (const auto& [lo, hi, minus, plus] : ends)
+	{
+		const bool is_empty = !(lo <= hi);
+		facts["spans"].push_back({is_empty ? json() : json(lo), is_empty ? json() : json(hi), minus > 0.0, plus > 0.0});
+	}
+	if (!file_.isSet(path + "/Values"))
+		return facts;
+	facts["values"] = file_.reals(path + "/Values");
+	if (const std::vector<double> changes = file_.realsOr(path, "Changes"); changes.size() == 2)
+		facts["changes"] = {checkedCount(changes[0], "Changes"), checkedCount(changes[1], "Changes")};
+	return facts;
+}
+
+ChosenRuns PackIndex::chosen(std::span<const std::uint64_t> runs) const
+{
+	ChosenRuns chosen{runs, {}, {}, {}, {}};
+	std::uint64_t last_part = ~std::uint64_t(0);
+	std::size_t parts = 0;
+	std::uint64_t first_point = 0, part = 0;
+	for (const std::uint64_t number : runs)
+	{
+		const PackRun& run = runs_[number];
+		for (; part < run.part; ++part)
+			first_point += parts_.points[part];
+		if (std::exchange(last_part, run.part) != run.part)
+		{
+			++parts;
+			chosen.points.add(first_point, parts_.points[run.part]);
+		}
+		chosen.part_of_run.push_back(parts - 1);
+		chosen.cells.add(run.first_cell, run.cells);
+		chosen.ids.add(run.first_id, run.ids);
+		chosen.ends.add(run.first_cell + run.part, run.cells + 1); // a part has one offset more than cells
+	}
+	return chosen;
+}
+
+std::string PackIndex::question() const
+{
+	json arrays = json::array();
+	for (const PackedArray& array : arrays_)
+		arrays.push_back({{"name", array.name},
+		                  {"association", array.association == "Point" ? "point" : "cell"},
+		                  {"type", grid::numberTypeName(array.type)},
+		                  {"components", array.components}});
+	return json{{"points", all_points_}, {"cells", all_cells_}, {"arrays", arrays}}.dump(
+	    -1, ' ', false, json::error_handler_t::replace);
+}
+
+// As the manifest has them (protocol.h).
+json PackIndex::facts(std::size_t runs_read, std::uint64_t bytes_read) const
+{
+	std::array<double, 6> bounds = boxes_[0];
+	for (const std::array<double, 6>& box : boxes_)
+		for (std::size_t axis = 0; axis < 3; ++axis)
+		{
+			bounds[axis] = std::min(bounds[axis], box[axis]);
+			bounds[axis + 3] = std::max(bounds[axis + 3], box[axis + 3]);
+		}
+	json of_arrays = json::object();
+	for (const PackedArray& array : arrays_)
+		of_arrays[(array.association == "Point" ? "point:" : "cell:") + array.name] = array.facts;
+	return {{"points", all_points_},         {"cells", all_cells_},     {"bounds", bounds},
+	        {"parts", runs_.size()},         {"parts_read", runs_read}, {"bytes_read", bytes_read},
+	        {"arrays", std::move(of_arrays)}};
+}
+
+} // namespace vp::reader::vtk

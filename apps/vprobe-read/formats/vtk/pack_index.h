@@ -1,0 +1,92 @@
+#pragma once
+
+#include "pack_rows.h"
+#include "vprobe-read/hdf5/hdf5_rows.h"
+#include "vtkhdf_pack.h"
+#include "vtkhdf_steps.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vp::reader::vtk
+{
+
+// Cells of a part that follow each other, some 512, with a box of their own.
+struct PackRun
+{
+	std::uint64_t part;
+	std::uint64_t first_cell; // in the file, as first_id
+	std::uint64_t cells;
+	std::uint64_t first_id;
+	std::uint64_t ids;
+};
+
+// Runs to read, and where their rows and those of their parts lie.
+struct ChosenRuns
+{
+	std::span<const std::uint64_t> runs;
+	ChosenRows cells, ids, ends;            // a run of rows for each run
+	ChosenRows points;                      // a run of rows for each part with such a run
+	std::vector<std::size_t> part_of_run{}; // its place among these parts
+};
+
+struct PackedArray
+{
+	std::string association; // "Point" or "Cell"
+	std::string name;
+	grid::NumberType type;
+	std::uint64_t components;
+	nlohmann::json facts; // as of protocol.h
+};
+
+// Holds what a pack tells of its parts. Throws a Refusal where it contradicts itself.
+class PackIndex
+{
+public:
+	PackIndex(const hdf5::File& file, const WantsVtkHdfArray& wants);
+	~PackIndex();
+	PackIndex(const PackIndex&) = delete;
+	PackIndex& operator=(const PackIndex&) = delete;
+
+	std::uint64_t allPoints() const { return all_points_; } // each once
+	const std::vector<PackRun>& runs() const { return runs_; }
+	const std::vector<std::array<double, 6>>& boxes() const { return boxes_; } // one for each run
+	const std::vector<PackedArray>& arrays() const { return arrays_; }         // that are wanted
+	// Returns the type of all cells, or 0 if they have several, or one without a size.
+	std::uint8_t onlyType() const;
+
+	// A list of VTKHDF ("Points"), or one of ours ("vprobe/PointNumbers").
+	hdf5::Rows rowsOf(const std::string& list, grid::NumberType type, std::uint64_t components = 1) const;
+	grid::NumberType typeOfPoints() const;
+
+	// runs: ascending.
+	ChosenRuns chosen(std::span<const std::uint64_t> runs) const;
+
+	// Return what the parent is told (protocol.h): before runs are chosen, and of a block that was read.
+	std::string question() const;
+	nlohmann::json facts(std::size_t runs_read, std::uint64_t bytes_read) const;
+
+private:
+	template <class Row>
+	std::vector<Row> allRows(const std::string& name, grid::NumberType type, std::uint64_t size) const;
+	void listRuns();
+	void listArrays(const std::string& association, const WantsVtkHdfArray& wants);
+	nlohmann::json factsOf(const std::string& association, const std::string& name, const hdf5::Rows& values) const;
+	std::uint64_t countOf(const char* name) const;
+
+	const hdf5::File& file_;
+	int descriptor_;
+	VtkHdfParts parts_;
+	std::uint64_t all_points_ = 0;
+	std::uint64_t all_cells_ = 0;
+	std::vector<PackRun> runs_;
+	std::vector<std::array<double, 6>> boxes_;
+	std::vector<PackedArray> arrays_;
+};
+
+} // namespace vp::reader::vtk

@@ -1,0 +1,286 @@
+#include "vtkhdf_pack.h"
+
+#include "base/huge_vector.h"
+#include "pack_checks.h"
+#include "pack_index.h"
+#include "read/cell_types.h"
+#include "vprobe-read/arrays/value_image.h"
+#include "vprobe-read/base/parent.h"
+#include "vprobe-read/base/refusal.h"
+#include "vprobe-read/manifest/manifest_writer.h"
+#include "vprobe-read/quick/tasks.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkTypeInt32Array.h>
+#include <vtkTypeInt64Array.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <limits>
+#include <numeric>
+#include <span>
+#include <vector>
+
+namespace vp::reader::vtk
+{
+
+using grid::NumberType;
+
+namespace
+{
+
+// So large a piece of a list is read by one thread.
+constexpr std::size_t kBytesAtOnce = std::size_t(4) << 20;
+
+class PackReader
+{
+public:
+	PackReader(const PackIndex& index, const Request& request, manifest::Writer& manifest)
+	    : index_(index), request_(request), manifest_(manifest)
+	{
+	}
+
+	void read()
+	{
+		std::optional<std::vector<std::uint64_t>> chosen;
+		if (request_.asks_for_parts)
+			chosen = askForParts(index_.question(), index_.boxes());
+		if (chosen)
+			add(*chosen);
+		if (!manifest_.isEmpty())
+			return;
+		std::vector<std::uint64_t> all(index_.runs().size());
+		std::iota(all.begin(), all.end(), 0);
+		add(all);
+	}
+
+private:
+	// Reads rows, on all threads, when runTasks() is called.
+	void fetch(const hdf5::Rows& rows, const ChosenRows& chosen, void* to)
+	{
+		bytes_read_ += chosen.size() * rows.rowBytes();
+		auto* first = static_cast<std::byte*>(to);
+		const std::uint64_t at_once = std::max<std::uint64_t>(kBytesAtOnce / rows.rowBytes(), 1);
+		chosen.forEachPiece(
+		    [&](std::uint64_t in_file, std::uint64_t in_memory, std::uint64_t count)
+		    {
+			    rows.askFor(in_file, count);
+			    tasks_.add((count + at_once - 1) / at_once,
+			               [=, &rows](std::size_t piece, arrays::Scratch&)
+			               {
+				               const std::uint64_t begin = piece * at_once;
+				               rows.read(in_file + begin, std::min(at_once, count - begin),
+				                         first + (in_memory + begin) * rows.rowBytes());
+			               });
+		    });
+	}
+
+	void runTasks()
+	{
+		tasks_.run();
+		tasks_ = quick::Tasks(request_.threads);
+	}
+
+	void add(std::span<const std::uint64_t> runs)
+	{
+		const ChosenRuns chosen = index_.chosen(runs);
+		constexpr std::uint64_t most = std::numeric_limits<std::int32_t>::max();
+		if (chosen.ids.size() < most && chosen.points.size() < most)
+			addAs<vtkTypeInt32Array>(chosen);
+		else
+			addAs<vtkTypeInt64Array>(chosen);
+	}
+
+	// Ids: the array that holds the ids of points.
+	template <class Ids>
+	void addAs(const ChosenRuns& chosen)
+	{
+		using Id = typename Ids::ValueType;
+		const hdf5::Rows place_rows = index_.rowsOf("Points", index_.typeOfPoints(), 3);
+		const hdf5::Rows number_rows = index_.rowsOf("vprobe/PointNumbers", NumberType::uint32);
+		const hdf5::Rows cell_rows = index_.rowsOf("vprobe/CellNumbers", NumberType::uint32);
+		const hdf5::Rows id_rows = index_.rowsOf("Connectivity", NumberType::int32);
+
+		HugeVector<std::uint32_t> numbers(chosen.points.size()), cell_numbers(chosen.cells.size());
+		HugeVector<std::int32_t> ids(chosen.ids.size());
+		HugeVector<std::byte> places(chosen.points.size() * place_rows.rowBytes());
+		fetch(number_rows, chosen.points, numbers.data());
+		fetch(place_rows, chosen.points, places.data());
+		fetch(id_rows, chosen.ids, ids.data());
+		fetch(cell_rows, chosen.cells, cell_numbers.data());
+		runTasks();
+		const std::uint64_t count = renumber(chosen, numbers);
+
+		vtkNew<Ids> connectivity; // in place, unless it is wider
+		if constexpr (sizeof(Id) == sizeof(std::int32_t))
+			connectivity->SetArray(ids.data(), static_cast<vtkIdType>(ids.size()), 1);
+		else
+			connectivity->SetNumberOfValues(static_cast<vtkIdType>(ids.size()));
+		Id* first = connectivity->GetPointer(0);
+		tasks_.add(chosen.runs.size(),
+		           [&](std::size_t run, arrays::Scratch&)
+		           {
+			           const auto of_part = chosen.points.of(chosen.part_of_run[run], numbers);
+			           const std::span<std::int32_t> local = chosen.ids.of(run, ids);
+			           refuseWrongIds(local, of_part.size());
+			           const std::byte* of_first =
+			               places.data() + chosen.points.inMemory(chosen.part_of_run[run]) * place_rows.rowBytes();
+			           const std::array<double, 6>& box = index_.boxes()[chosen.runs[run]];
+			           if (place_rows.type() == NumberType::float32)
+				           refuseOutside(local, reinterpret_cast<const float*>(of_first), box);
+			           else
+				           refuseOutside(local, reinterpret_cast<const double*>(of_first), box);
+			           Id* to = first + chosen.ids.inMemory(run);
+			           for (const std::int32_t id : local)
+				           *to++ = static_cast<Id>(of_part[static_cast<std::size_t>(id)]);
+		           });
+		runTasks();
+
+		vtkNew<vtkUnstructuredGrid> grid;
+		vtkNew<vtkPoints> points;
+		points->SetData(joined(place_rows, places, numbers, count));
+		grid->SetPoints(points);
+		setCells<Ids>(chosen, connectivity.Get(), grid);
+		addArrays(chosen, numbers, count, grid);
+		manifest_.addPack(grid, index_.facts(chosen.runs.size(), bytes_read_),
+		                  {cell_numbers.begin(), cell_numbers.end()});
+	}
+
+	// Turns the numbers of points in the packed file into their places among those that are read. Returns how many are.
+	std::uint64_t renumber(const ChosenRuns& chosen, HugeVector<std::uint32_t>& numbers)
+	{
+		PointRanks ranks(index_.allPoints());
+		for (std::size_t part = 0; part < chosen.points.count(); ++part)
+		{
+			const std::span<std::uint32_t> of_part = chosen.points.of(part, numbers);
+			for (std::size_t p = 0; p < of_part.size(); ++p)
+			{
+				if (of_part[p] >= index_.allPoints() || (p > 0 && of_part[p] <= of_part[p - 1]))
+					throw damaged("the points of a part are out of order");
+				ranks.note(of_part[p]);
+			}
+		}
+		ranks.count();
+		tasks_.add(chosen.points.count(),
+		           [&](std::size_t part, arrays::Scratch&)
+		           {
+			           for (std::uint32_t& number : chosen.points.of(part, numbers))
+				           number = static_cast<std::uint32_t>(ranks.rank(number));
+		           });
+		runTasks();
+		return ranks.size();
+	}
+
+	template <class Ids>
+	void setCells(const ChosenRuns& chosen, Ids* connectivity, vtkUnstructuredGrid* grid)
+	{
+		using Id = typename Ids::ValueType;
+		vtkNew<Ids> offsets;
+		offsets->SetNumberOfValues(static_cast<vtkIdType>(chosen.cells.size() + 1));
+		Id* ends = offsets->GetPointer(0);
+		ends[0] = 0;
+		vtkNew<vtkUnsignedCharArray> types;
+		types->SetNumberOfValues(static_cast<vtkIdType>(chosen.cells.size()));
+		const std::uint8_t type = index_.onlyType();
+		const auto size = static_cast<std::uint64_t>(read::slicedCellSize(type));
+		if (size > 0 && size * chosen.cells.size() == chosen.ids.size())
+		{
+			std::fill_n(types->GetPointer(0), chosen.cells.size(), type);
+			for (std::uint64_t c = 1; c <= chosen.cells.size(); ++c)
+				ends[c] = static_cast<Id>(c * size);
+		}
+		else
+		{
+			const hdf5::Rows type_rows = index_.rowsOf("Types", NumberType::uint8);
+			const hdf5::Rows end_rows = index_.rowsOf("Offsets", NumberType::int32);
+			HugeVector<std::int32_t> local(chosen.ends.size());
+			fetch(type_rows, chosen.cells, types->GetPointer(0));
+			fetch(end_rows, chosen.ends, local.data());
+			runTasks();
+			for (std::size_t run = 0; run < chosen.runs.size(); ++run)
+			{
+				const std::span<std::int32_t> of_run = chosen.ends.of(run, local);
+				refuseWrongEnds(of_run, index_.runs()[chosen.runs[run]].ids);
+				Id* to = ends + chosen.cells.inMemory(run) + 1;
+				for (const std::int32_t end : of_run.subspan(1))
+					*to++ = static_cast<Id>(chosen.ids.inMemory(run)) + static_cast<Id>(end - of_run.front());
+			}
+		}
+		vtkNew<vtkCellArray> cells;
+		cells->SetData(offsets.Get(), connectivity);
+		grid->SetCells(types, cells);
+	}
+
+	// An array of points, each once, from the values that the parts have.
+	static vtkSmartPointer<vtkDataArray> joined(const hdf5::Rows& rows, const HugeVector<std::byte>& values,
+	                                            const HugeVector<std::uint32_t>& numbers, std::uint64_t count)
+	{
+		vtkSmartPointer<vtkDataArray> array = emptyArray(rows, count);
+		auto* to = static_cast<std::byte*>(array->GetVoidPointer(0));
+		const std::size_t bytes = rows.rowBytes();
+		for (std::size_t i = 0; i < numbers.size(); ++i)
+			std::memcpy(to + numbers[i] * bytes, values.data() + i * bytes, bytes);
+		return array;
+	}
+
+	static vtkSmartPointer<vtkDataArray> emptyArray(const hdf5::Rows& rows, std::uint64_t count)
+	{
+		auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(arrays::vtkTypeOf(rows.type())));
+		array->SetNumberOfComponents(static_cast<int>(rows.components()));
+		array->SetNumberOfTuples(static_cast<vtkIdType>(count));
+		return array;
+	}
+
+	void addArrays(const ChosenRuns& chosen, const HugeVector<std::uint32_t>& numbers, std::uint64_t count,
+	               vtkUnstructuredGrid* grid)
+	{
+		for (const PackedArray& wanted : index_.arrays())
+		{
+			const hdf5::Rows rows =
+			    index_.rowsOf(wanted.association + "Data/" + wanted.name, wanted.type, wanted.components);
+			vtkSmartPointer<vtkDataArray> array;
+			if (wanted.association == "Point")
+			{
+				HugeVector<std::byte> values(chosen.points.size() * rows.rowBytes());
+				fetch(rows, chosen.points, values.data());
+				runTasks();
+				array = joined(rows, values, numbers, count);
+			}
+			else
+			{
+				array = emptyArray(rows, chosen.cells.size());
+				fetch(rows, chosen.cells, array->GetVoidPointer(0));
+				runTasks();
+			}
+			array->SetName(wanted.name.c_str());
+			if (wanted.association == "Point")
+				grid->GetPointData()->AddArray(array);
+			else
+				grid->GetCellData()->AddArray(array);
+		}
+	}
+
+	const PackIndex& index_;
+	const Request& request_;
+	manifest::Writer& manifest_;
+	quick::Tasks tasks_{request_.threads};
+	std::uint64_t bytes_read_ = 0;
+};
+
+} // namespace
+
+void readVtkHdfPack(const hdf5::File& file, const Request& request, const WantsVtkHdfArray& wants,
+                    manifest::Writer& manifest)
+{
+	PackReader(PackIndex(file, wants), request, manifest).read();
+}
+
+} // namespace vp::reader::vtk

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "grid/field.h"
+#include "vprobe-read/base/request.h"
+#include "vprobe-read/hdf5/hdf5_file.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace vp::reader::manifest
+{
+class Writer;
+}
+
+namespace vp::reader::vtk
+{
+
+// Returns true if `vprobe pack` has written the file: an unstructured grid in parts that lie together in space
+// (convert/write_pack.cpp, docs/FORMATS.md).
+bool isVtkHdfPack(const hdf5::File& file);
+
+// Says whether an array is wanted. association: "Point" or "Cell".
+using WantsVtkHdfArray = std::function<bool(const std::string& association, const std::string& name,
+                                            grid::NumberType type, std::uint64_t components)>;
+
+// Reads a pack as one grid: all its parts, or those that the parent chooses. Points that several parts have become one
+// again, in the order of the packed file. Throws a Refusal.
+void readVtkHdfPack(const hdf5::File& file, const Request& request, const WantsVtkHdfArray& wants,
+                    manifest::Writer& manifest);
+
+} // namespace vp::reader::vtk

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "grid/labels.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace vp::grid
+{
+
+// Facts that a file tells about all values of an array. A block may hold a part of them.
+struct ArrayFacts
+{
+	std::uint64_t tuples = 0;
+	std::vector<ValueSpan> spans{}; // valueSpan() of each component, and last of kMagnitude
+	// distinctValues() and changesOf(), if the array has one component of integers. Else empty.
+	Distinct values{};
+	Changes changes{};
+};
+
+} // namespace vp::grid

@@ -1,0 +1,218 @@
+"""What `vprobe pack` writes, cut part by part, gives the figures and polygons of what it was made from."""
+import json
+import shutil
+import subprocess
+
+import against
+from against import VPROBE, info, mixed_mesh, need, tried, vprobe
+
+# Counts of the search, and what tells one file from the other.
+OWN = {'cells_scanned', 'cells_walked', 'tree_tests', 'boundary_tests', 'seeds', 'hops'}
+
+CUTS = (['--normal', '0.3', '0.5', '0.81'], ['--normal', '1', '0', '0', '--origin', '1.5', '0.4', '4'],
+        ['--normal', '0', '0', '1', '--origin', '0', '0', '4'],
+        ['--surface', 'sphere:1.5', '--origin', '1', '0.5', '4'],
+        ['--surface', 'sin(3*x) + y - 0.4*z + 1'], ['--probe', 'trihedral'], ['--probe', 'paddlewheel'],
+        ['--probe', 'stack', '--sheets', '3'], ['--window', '0.7', '0.5'],
+        ['--normal', '1', '0', '0', '--origin', '90', '0', '0'])  # meets nothing
+
+
+def figures(path, options, stats):
+    vprobe('slice', path, *options, '--stats', stats)
+    told = json.loads(stats.read_text())
+    return [{k: v for k, v in sheet.items() if k not in OWN} for sheet in told['sheets']], told
+
+
+def same(a, b):
+    """Sums may differ in their last digits, since the cells come in another order."""
+    if isinstance(a, float) and isinstance(b, float):
+        return a == b or abs(a - b) <= 1e-13 * max(abs(a), abs(b))
+    if isinstance(a, list) and isinstance(b, list):
+        return len(a) == len(b) and all(map(same, a, b))
+    return a == b
+
+
+def same_figures(path, pack, options, folder):
+    (wanted, whole), (got, parts) = (figures(each, options, folder / 'stats.json') for each in (path, pack))
+    for a, b in zip(wanted, got, strict=True):
+        other = {key: (a[key], b[key]) for key in a if not same(a[key], b[key])}
+        assert not other, (options, other)
+    assert parts['grid'] == whole['grid'], (options, parts['grid'], whole['grid'])
+    return parts['parts']
+
+
+def polygons(path, options, out):
+    """Each polygon as its cell, its array of the cell, and its corners in order of their places."""
+    import vtk
+    vprobe('slice', path, *options, '-o', out)
+    reader = vtk.vtkXMLPolyDataReader()
+    reader.SetFileName(str(out))
+    reader.Update()
+    data = reader.GetOutput()
+    cells, g = data.GetCellData().GetArray('vprobe:cell'), data.GetCellData().GetArray('g')
+    f = data.GetPointData().GetArray('f')
+    found = []
+    for c in range(data.GetNumberOfCells()):
+        points = data.GetCell(c).GetPointIds()
+        corners = sorted((*data.GetPoint(points.GetId(i)), f.GetValue(points.GetId(i)))
+                         for i in range(points.GetNumberOfIds()))
+        found.append((cells.GetValue(c), g.GetValue(c), corners))
+    return sorted(found)
+
+
+def packed(folder, *options):
+    """A mesh of hexahedra and tetrahedra with names of materials, and its pack."""
+    meshio, numpy = need('meshio'), need('numpy')
+    mesh = mixed_mesh(meshio, numpy)
+    mesh.cell_data['material'] = [numpy.arange(len(block.data), dtype='i4') // 20 for block in mesh.cells]
+    path, pack = folder / 'mesh.vtu', folder / 'mesh.vtkhdf'
+    meshio.write(path, mesh)
+    vprobe('pack', path, '-o', pack, *options)
+    return path, pack
+
+
+def packs_are_cut_as_their_inputs(folder):
+    path, pack = packed(folder, '--part', '64')
+    for options in tried(CUTS):
+        parts = same_figures(path, pack, options, folder)
+        assert 0 < parts['met'] <= parts['all'], parts
+        assert polygons(pack, options, folder / 'a.vtp') == polygons(path, options, folder / 'b.vtp'), options
+
+
+def packs_read_what_is_cut(folder):
+    """A thin layer of a box meets few of its parts."""
+    pack = folder / 'box.vtkhdf'
+    vprobe('pack', 'demo:tets:16', '-o', pack, '--part', '256')
+    told = same_figures('demo:tets:16', pack, ['--normal', '1', '2', '3'], folder)
+    assert told['met'] < 0.7 * told['all'] and told['bytes_read'] < 0.9 * pack.stat().st_size, told
+
+
+def packs_are_whole_where_that_is_asked(folder):
+    """What looks beyond the cut cells reads all parts, as all other commands do."""
+    path, pack = packed(folder, '--part', '64')
+    for options in (['--crinkle'], ['--threshold', '30', '400'], ['--iso', '200'], ['--strategy', 'cells'],
+                    ['--seeds', 'boundary'], ['--cell-to-point', '--array', 'g']):
+        done = [subprocess.run([VPROBE, 'slice', each, *options, '--stats', folder / 's.json'], capture_output=True,
+                               encoding='utf-8') for each in (path, pack)]
+        assert [each.returncode for each in done] == [0, 0], done
+        told = same_figures(path, pack, options, folder)
+        assert told['read'] == told['all'], (options, told)
+    one, other = info(path), info(pack)
+    assert one['blocks'][0]['parts'] is None and other['blocks'][0]['parts'] == 4, other['blocks']
+    for key in ('grid', 'bounds'):
+        assert one[key] == other[key], (key, one[key], other[key])
+    assert [(a['name'], a['range']) for a in one['arrays']] == [(a['name'], a['range']) for a in other['arrays']]
+
+
+def packs_look_like_their_inputs(folder):
+    """The colors go by all values, and materials are categories, also where few parts are read."""
+    path, pack = packed(folder, '--part', '64')
+    for array in ('f', 'v', 'material'):
+        pictures = []
+        for number, each in enumerate((path, pack)):
+            out = folder / f'{number}.svg'
+            vprobe('slice', each, '--normal', '0', '0', '1', '--array', array, '-o', out)
+            # Without the letters of the title, which has the file's name.
+            pictures.append(sorted(line for line in out.read_text().splitlines() if 'fill:rgb' in line))
+        assert pictures[0] == pictures[1], array
+
+
+def vtk_reads_packs(folder):
+    import vtk
+    if not hasattr(vtk, 'vtkHDFReader'):
+        raise against.Missing('vtkHDFReader')
+    path, pack = packed(folder, '--part', '64')
+    sums = []
+    for reader, file in ((vtk.vtkXMLUnstructuredGridReader(), path), (vtk.vtkHDFReader(), pack)):
+        reader.SetFileName(str(file))
+        sizes = vtk.vtkCellSizeFilter()
+        sizes.SetInputConnection(reader.GetOutputPort())
+        sizes.Update()
+        data = sizes.GetOutput()
+        volume, g = data.GetCellData().GetArray('Volume'), data.GetCellData().GetArray('g')
+        cells = range(data.GetNumberOfCells())
+        sums.append((len(cells), sum(volume.GetValue(c) for c in cells),
+                     sum(g.GetValue(c) * volume.GetValue(c) for c in cells)))
+    assert sums[0][0] == sums[1][0], sums
+    assert all(abs(a - b) < 1e-9 * abs(a) for a, b in zip(*sums)), sums
+
+
+def packs_in_chunks(folder):
+    """Lists that another program has packed are read through HDF5."""
+    h5py = need('h5py')
+    path, pack = packed(folder, '--part', '64')
+    with h5py.File(pack, 'r+') as file:
+        for name in ('VTKHDF/Points', 'VTKHDF/Connectivity', 'VTKHDF/PointData/f', 'vprobe/PointNumbers'):
+            values = file[name][...]
+            del file[name]
+            file.create_dataset(name, data=values, chunks=True, compression='gzip')
+    same_figures(path, pack, ['--normal', '0.3', '0.5', '0.81', '--array', 'f'], folder)
+
+
+def damaged_packs_are_refused(folder):
+    h5py, numpy = need('h5py'), need('numpy')
+    path, pack = packed(folder, '--part', '64')
+
+    def change(name, at, value):
+        def damage(file):
+            values = file[name][...]
+            values[at] = value
+            file[name][...] = values
+        return damage
+
+    def attribute(name, value):
+        def damage(file):
+            file['vprobe'].attrs[name] = numpy.array([value])
+        return damage
+
+    def remove(name):
+        def damage(file):
+            del file[name]
+        return damage
+
+    def shorten(name):
+        def damage(file):
+            values = file[name][:-1]
+            del file[name]
+            file[name] = values
+        return damage
+
+    damages = {
+        'a point moved': change('VTKHDF/Points', (0, 0), -3.0), 'a smaller box': change('vprobe/Boxes', (0, 3), 0.1),
+        'an id beyond': change('VTKHDF/Connectivity', 0, 999999), 'an id below 0': change('VTKHDF/Connectivity', 0, -1),
+        'points out of order': change('vprobe/PointNumbers', 1, 0),
+        'a number beyond': change('vprobe/PointNumbers', 3, 4000000000),
+        'a point more': attribute('NumberOfPoints', 10 ** 9), 'a cell less': attribute('NumberOfCells', 1),
+        'no cells in a run': attribute('CellsOfRun', 0), 'shorter runs': attribute('CellsOfRun', 20),
+        'another run': change('vprobe/NumberOfConnectivityIds', 0, 7), 'no boxes of all': shorten('vprobe/Boxes'),
+        'no numbers of all': shorten('vprobe/CellNumbers'), 'points missing': shorten('VTKHDF/Points'),
+        'no numbers': remove('vprobe/PointNumbers'), 'no ranges': remove('vprobe/PointData/f/Spans'),
+        'offsets that fall': change('VTKHDF/Offsets', 2, 100000), 'a wrong count': change('VTKHDF/NumberOfCells', 0, 1),
+        'ranges turned': change('vprobe/PointData/f/Spans', (0, 0), 1e30)}
+    for name, damage in tried(list(damages.items())):
+        broken = folder / 'broken.vtkhdf'
+        shutil.copy(pack, broken)
+        with h5py.File(broken, 'r+') as file:
+            damage(file)
+        done = subprocess.run([VPROBE, 'slice', broken, '--probe', 'stack', '--sheets', '20', '--stats', '-'],
+                              capture_output=True, encoding='utf-8')
+        if name == 'ranges turned':  # no value is finite, says the file, so there is no range
+            assert done.returncode == 0, done.stderr
+            continue
+        assert done.returncode == 2 and len(done.stderr.strip().splitlines()) == 1, (name, done.returncode, done.stderr)
+
+
+def packing_refuses(folder):
+    path, _ = packed(folder)
+    for arguments, words in ((['pack', path], '--output'),
+                             (['pack', path, '-o', folder / 'a.vtu'], 'written as .vtkhdf'),
+                             (['pack', path, path, '-o', folder / 'a.vtkhdf'], 'takes one file'),
+                             (['pack', 'demo:shell:4', '-o', folder / 'a.vtkhdf'], 'convert it to .vtu first'),
+                             (['pack', path, '-o', folder / 'a.vtkhdf', '--part', '3'], '--part')):
+        done = subprocess.run([VPROBE, *map(str, arguments)], capture_output=True, encoding='utf-8')
+        assert done.returncode in (1, 2) and words in done.stderr, (arguments, done)
+        assert not (folder / 'a.vtkhdf').exists()
+
+
+CASES = [packs_are_cut_as_their_inputs, packs_read_what_is_cut, packs_are_whole_where_that_is_asked,
+         packs_look_like_their_inputs, vtk_reads_packs, packs_in_chunks, damaged_packs_are_refused, packing_refuses]
