@@ -33,8 +33,6 @@ grid::Block buildBlock(CheckedBlock&& checked, std::string name, bool identifies
 		    finishBlock(block, for_one_cut);
 	    },
 	    std::move(checked.mesh));
-	if (block.whole)
-		block.bounds = block.whole->bounds;
 	return block;
 }
 

@@ -200,7 +200,7 @@ private:
 		whole.parts.kept = whole.parts.met = whole.parts.read = countOf(pack.at("parts_read"));
 		whole.parts.bytes_met = whole.parts.bytes_read = countOf(pack.at("bytes_read"));
 		whole.cell_numbers = numbersOf<std::int64_t>(cells_, pack.at("numbers"), NumberType::int64, cells);
-		if (cells > whole.cells || whole.bounds.empty() || whole.parts.read > whole.parts.all)
+		if (whole.bounds.empty() || whole.parts.read > whole.parts.all)
 			throw Unusable("parts of a grid are more than the whole");
 		return std::make_shared<const grid::WholeGrid>(std::move(whole));
 	}
@@ -243,9 +243,10 @@ private:
 				checked.hidden_lattice = grid::Lattice(latticeOfBlock(block));
 				checkLattice(*checked.hidden_lattice, mesh.points.size(), mesh.cells);
 			}
+			const std::size_t unplaced = leaveOutUnplaced(mesh);
 			if (block.contains("pack"))
 				checked.whole = wholeOf(block.at("pack"), mesh.cells.size());
-			unplaced_ += leaveOutUnplaced(mesh);
+			unplaced_ += checked.whole ? countOf(block.at("pack").at("cells_without_place")) : unplaced;
 			checked.mesh = std::move(mesh);
 			return;
 		}

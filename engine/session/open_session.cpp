@@ -88,16 +88,33 @@ read::ReadOptions readOptions(const view::ViewSpec& spec, const read::TimeChoice
 	        .cell_to_point = input.cell_to_point};
 }
 
-Result<grid::BlockSet> readInputs(const view::ViewSpec& spec, bool patches)
+namespace
 {
-	read::ReadOptions reading = readOptions(spec, spec.input.time);
-	reading.patches = reading.patches || patches;
+
+Result<grid::BlockSet> readInputs(const view::ViewSpec& spec, read::ReadOptions reading)
+{
 	reading.stays_above = memoryForParts(spec);
 	const Result<std::vector<std::string>> inputs =
 	    read::takeInputs(spec.input.files, spec.input.inputs_as, readOptions(spec, spec.input.time));
 	if (!inputs)
 		return inputs.error();
 	return read::readInputs(*inputs, reading, nullptr);
+}
+
+} // namespace
+
+Result<grid::BlockSet> readInputs(const view::ViewSpec& spec)
+{
+	return readInputs(spec, readOptions(spec, spec.input.time));
+}
+
+Result<grid::BlockSet> readFacts(const view::ViewSpec& spec)
+{
+	read::ReadOptions reading = readOptions(spec, spec.input.time);
+	reading.patches = true;
+	if (spec.input.files.size() == 1 && !spec.input.displace && spec.input.displace_by.empty())
+		reading.choose_parts = [](const read::PackedGrid&) { return std::optional(std::vector<std::uint64_t>{0}); };
+	return readInputs(spec, std::move(reading));
 }
 
 read::ReadOptions Session::readOptions(const read::TimeChoice& time) const

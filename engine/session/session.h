@@ -249,9 +249,12 @@ read::ReadOptions readOptions(const view::ViewSpec& spec, const read::TimeChoice
 /// many.
 std::uint64_t memoryForParts(const view::ViewSpec& spec);
 
-/// Reads the inputs of the settings at their time, as a session does, with all neighbors. patches: named parts of the
-/// boundary too.
-Result<grid::BlockSet> readInputs(const view::ViewSpec& spec, bool patches = false);
+/// Reads the inputs of the settings at their time, as a session does, with all neighbors.
+Result<grid::BlockSet> readInputs(const view::ViewSpec& spec);
+
+/// Reads the inputs for what there is to tell of them: with named parts of the boundary, but of a packed grid, whose
+/// file tells the rest, one part alone (grid::lacksParts).
+Result<grid::BlockSet> readFacts(const view::ViewSpec& spec);
 
 /// Returns true if the settings need neighbors, whatever a plan says: for whole cells, vectors, grid surfaces,
 /// contours, or surfaces around the sheets.

@@ -117,6 +117,62 @@ def packs_look_like_their_inputs(folder):
         assert pictures[0] == pictures[1], array
 
 
+def packs_tell_cells_that_are_left_out(folder):
+    """Flat and hidden cells, and those with a point without a place, wherever they lie."""
+    import vtk
+    numpy = need('numpy')
+    from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+    path, pack = packed(folder)
+    reader = vtk.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    grid = reader.GetOutput()
+    vtk_to_numpy(grid.GetPoints().GetData())[117] = [1e60, numpy.nan, 0.0]  # far from the cut
+    beyond = grid.GetPoints().InsertNextPoint(50.0, 0.0, 0.0)
+    for name in ('f', 'v'):
+        array = grid.GetPointData().GetArray(name)
+        array.InsertNextTuple(array.GetTuple(0))
+    for corners in ((0, 1, 7), (1, 2, beyond)):
+        grid.InsertNextCell(vtk.VTK_TRIANGLE, 3, corners)
+    cells = grid.GetNumberOfCells()
+    for name in ('g', 'material'):
+        grid.GetCellData().RemoveArray(name)
+    marks = numpy.zeros(cells, 'u1')
+    marks[[3, 4, 5]] = 32  # hidden
+    ghosts = numpy_to_vtk(marks, deep=True)
+    ghosts.SetName('vtkGhostType')
+    grid.GetCellData().AddArray(ghosts)
+    writer = vtk.vtkXMLUnstructuredGridWriter()
+    writer.SetFileName(str(path))
+    writer.SetInputData(grid)
+    writer.Write()
+    vprobe('pack', path, '-o', pack, '--part', '64')
+    options = ['--normal', '0', '0', '1', '--origin', '1', '0.3', '1']
+    told = same_figures(path, pack, options, folder)
+    assert told['read'] < told['all'], told
+    said = [subprocess.run([VPROBE, 'slice', each, *options, '--stats', folder / 's.json'], capture_output=True,
+                           encoding='utf-8').stderr.replace(str(each), 'FILE') for each in (path, pack)]
+    assert said[0] == said[1] and '3 ghost or hidden cells' in said[0], said
+    assert info(path)['bounds'] == info(pack)['bounds']
+    one, other = info(path)['grid'], info(pack)['grid']
+    assert one == other and one['cells_left_out'] == 2 and one['cells_without_place'] > 0, (one, other)
+
+
+def arrays_that_become_alike_are_kept(folder):
+    """HDF5 has no names with slashes and dots."""
+    meshio, numpy = need('meshio'), need('numpy')
+    mesh = mixed_mesh(meshio, numpy)
+    f = mesh.point_data['f']
+    mesh.point_data = {'a.b': f, 'a/b': 2 * f, 'a_b': 3 * f}
+    path = folder / 'mesh.vtu'
+    meshio.write(path, mesh)
+    for command in ('pack', 'convert'):
+        out = folder / f'{command}.vtkhdf'
+        vprobe(command, path, '-o', out)
+        told = {a['name']: a['range'][1] for a in info(out)['arrays'] if a['association'] == 'point'}
+        assert told == {'a_b': f.max(), 'a_b_2': 2 * f.max(), 'a_b_3': 3 * f.max()}, told
+
+
 def vtk_reads_packs(folder):
     import vtk
     if not hasattr(vtk, 'vtkHDFReader'):
@@ -178,6 +234,7 @@ def damaged_packs_are_refused(folder):
         return damage
 
     damages = {
+        'a newer version': attribute('Version', 2), 'no count of hidden cells': lambda file: file['vprobe'].attrs.__delitem__('HiddenCells'),
         'a point moved': change('VTKHDF/Points', (0, 0), -3.0), 'a smaller box': change('vprobe/Boxes', (0, 3), 0.1),
         'an id beyond': change('VTKHDF/Connectivity', 0, 999999), 'an id below 0': change('VTKHDF/Connectivity', 0, -1),
         'points out of order': change('vprobe/PointNumbers', 1, 0),
@@ -215,4 +272,5 @@ def packing_refuses(folder):
 
 
 CASES = [packs_are_cut_as_their_inputs, packs_read_what_is_cut, packs_are_whole_where_that_is_asked,
-         packs_look_like_their_inputs, vtk_reads_packs, packs_in_chunks, damaged_packs_are_refused, packing_refuses]
+         packs_look_like_their_inputs, packs_tell_cells_that_are_left_out,
+         arrays_that_become_alike_are_kept, vtk_reads_packs, packs_in_chunks, damaged_packs_are_refused, packing_refuses]

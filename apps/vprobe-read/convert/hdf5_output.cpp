@@ -53,12 +53,16 @@ hid_t typeOf(int vtk_type)
 	}
 }
 
-std::string nameInFile(std::string name)
+std::string nameInGroup(hid_t group, const std::string& name)
 {
-	for (char& c : name)
+	std::string plain = name;
+	for (char& c : plain)
 		if (c == '/' || c == '.')
 			c = '_';
-	return name;
+	std::string free = plain;
+	for (int number = 2; H5Lexists(group, free.c_str(), H5P_DEFAULT) > 0; ++number)
+		free = plain + "_" + std::to_string(number);
+	return free;
 }
 
 Handle groupInOrder(hid_t parent, const char* name)

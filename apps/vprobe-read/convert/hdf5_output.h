@@ -39,8 +39,9 @@ private:
 // Returns the type in memory of the numbers of a VTK array, or -1 for texts and bits.
 hid_t typeOf(int vtk_type);
 
-// Returns the name of an array without the characters that HDF5 takes for a way to another group.
-std::string nameInFile(std::string name);
+// Returns a name for an array that no other one in the group has: without the characters that HDF5 takes for a way to
+// another group, and with a number behind it where another array has become the same.
+std::string nameInGroup(hid_t group, const std::string& name);
 
 // Makes a group that keeps the order in which its arrays are written.
 Handle groupInOrder(hid_t parent, const char* name);

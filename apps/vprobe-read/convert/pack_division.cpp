@@ -2,7 +2,10 @@
 
 #include "octree_parts.h"
 #include "read/cell_types.h"
+#include "read/check_mesh.h"
 #include "vprobe-read/base/refusal.h"
+#include "vprobe-read/cells/cell_lists.h"
+#include "vprobe-read/cells/visible_cells.h"
 #include "vprobe-read/quick/tasks.h"
 
 #include <vtkDataArray.h>
@@ -20,7 +23,7 @@ namespace vp::reader::convert
 void PackBox::include(const std::array<double, 3>& at)
 {
 	for (std::size_t axis = 0; axis < 3; ++axis)
-		if (std::isfinite(at[axis]))
+		if (read::isPlace(at[axis]))
 		{
 			lo[axis] = std::min(lo[axis], at[axis]);
 			hi[axis] = std::max(hi[axis], at[axis]);
@@ -128,12 +131,30 @@ std::uint64_t PackDivision::keyOf(const Id* begin, const Id* end, const PackBox&
 	return mortonKey(along[0], along[1], along[2]);
 }
 
+// Counts a cell that nobody sees. marks: of all cells, or none.
+template <class Id>
+bool PackDivision::isSeen(std::size_t cell, const Id* begin, const Id* end, std::span<const std::uint8_t> marks)
+{
+	const auto hasPlace = [this](Id id)
+	{ return std::ranges::all_of(place(static_cast<std::size_t>(id)), read::isPlace); };
+	vtkIdType* count = read::cellDimension(types_[cell]) < 3                      ? &left_out_.flat
+	                   : !marks.empty() && (marks[cell] & cells::kHiddenCellBits) ? &left_out_.hidden
+	                   : !std::all_of(begin, end, hasPlace)                       ? &left_out_.unplaced
+	                                                                              : nullptr;
+	if (count)
+		++*count;
+	return !count;
+}
+
 void PackDivision::divideCells(std::size_t most_cells)
 {
+	vtkUnsignedCharArray* ghosts = cells::ghostMarks(grid_);
+	const auto marks =
+	    ghosts ? std::span<const std::uint8_t>(ghosts->GetPointer(0), types_.size()) : std::span<const std::uint8_t>();
 	PackBox bounds;
 	for (std::size_t p = 0; p < static_cast<std::size_t>(grid_->GetNumberOfPoints()); ++p)
 		bounds.include(place(p));
-	std::vector<CellOnCurve> cells(types_.size());
+	std::vector<CellOnCurve> cells(types_.size()), unseen;
 	constexpr std::size_t at_once = 1 << 14;
 	withLists(
 	    [&](const auto* offsets, const auto* ids)
@@ -145,11 +166,27 @@ void PackDivision::divideCells(std::size_t most_cells)
 				            cells[c] = {keyOf(ids + offsets[c], ids + offsets[c + 1], bounds),
 				                        static_cast<std::uint32_t>(c)};
 		            });
+		    std::erase_if(cells,
+		                  [&](const CellOnCurve& cell)
+		                  {
+			                  const std::size_t c = cell.second;
+			                  if (isSeen(c, ids + offsets[c], ids + offsets[c + 1], marks))
+				                  return false;
+			                  unseen.push_back(cell);
+			                  return true;
+		                  });
 	    });
 	cell_ends_ = divide(cells, most_cells, threads_);
-	order_.reserve(cells.size());
-	for (const CellOnCurve& cell : cells)
-		order_.push_back(cell.second);
+	seen_parts_ = cell_ends_.size();
+	for (std::size_t end = 0; end < unseen.size();)
+	{
+		end = std::min(end + most_cells, unseen.size());
+		cell_ends_.push_back(cells.size() + end);
+	}
+	order_.reserve(types_.size());
+	for (const std::vector<CellOnCurve>* list : {&cells, &unseen})
+		for (const CellOnCurve& cell : *list)
+			order_.push_back(cell.second);
 }
 
 void PackDivision::choosePoints()
@@ -162,7 +199,8 @@ void PackDivision::choosePoints()
 		    forEach(cell_ends_.size(),
 		            [&](std::size_t part)
 		            {
-			            thread_local std::vector<std::uint32_t> last_part; // plus 1, that had a point
+			            // For each point the last part that was seen to have it, plus 1.
+			            thread_local std::vector<std::uint32_t> last_part;
 			            last_part.resize(static_cast<std::size_t>(grid_->GetNumberOfPoints()));
 			            const std::span<const std::uint32_t> cells = this->cells(part);
 			            runs_[part].resize((cells.size() + cells_of_run_ - 1) / cells_of_run_);
@@ -172,7 +210,8 @@ void PackDivision::choosePoints()
 				            for (auto i = offsets[cells[c]]; i < offsets[cells[c] + 1]; ++i)
 				            {
 					            const auto id = static_cast<std::uint32_t>(ids[i]);
-					            run.box.include(place(id));
+					            if (part < seen_parts_)
+						            run.box.include(place(id));
 					            ++run.ids;
 					            if (std::exchange(last_part[id], static_cast<std::uint32_t>(part + 1)) != part + 1)
 						            points_[part].push_back(id);

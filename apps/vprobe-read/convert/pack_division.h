@@ -34,7 +34,8 @@ struct PackRun
 	std::uint32_t ids = 0; // that the cells list
 };
 
-// Divides the cells of a grid into parts that lie together in space.
+// Divides the cells of a grid into parts that lie together in space. Cells that nobody sees come last, in parts of
+// their own, and have no boxes: so no cut reads them, and the boxes together are the bounds of the grid.
 class PackDivision
 {
 public:
@@ -50,6 +51,15 @@ public:
 	std::size_t ids(std::size_t part) const;
 	std::size_t allPoints() const; // the sum over all parts
 	std::size_t allIds() const;
+
+	// Counts the cells that nobody sees.
+	struct LeftOut
+	{
+		vtkIdType flat = 0;     // fewer than three dimensions
+		vtkIdType hidden = 0;   // ghosts, refined and blanked ones, where they are not flat
+		vtkIdType unplaced = 0; // with a point without a place (read::isPlace), where they are neither
+	};
+	const LeftOut& leftOut() const { return left_out_; }
 
 	std::span<const std::uint8_t> types() const { return types_; } // VTK's, as the grid numbers its cells
 	std::array<double, 3> place(std::size_t point) const;
@@ -72,6 +82,8 @@ private:
 	void divideCells(std::size_t most_cells);
 	void choosePoints();
 	template <class Id>
+	bool isSeen(std::size_t cell, const Id* begin, const Id* end, std::span<const std::uint8_t> marks);
+	template <class Id>
 	std::uint64_t keyOf(const Id* begin, const Id* end, const PackBox& bounds) const;
 
 	vtkUnstructuredGrid* grid_;
@@ -79,6 +91,8 @@ private:
 	vtkDataArray* places_;
 	int threads_;
 	std::size_t cells_of_run_ = 512;
+	LeftOut left_out_;
+	std::size_t seen_parts_ = 0;       // come first
 	std::vector<std::uint32_t> order_; // the cells, part by part
 	std::vector<std::size_t> cell_ends_;
 	std::vector<std::vector<std::uint32_t>> points_;

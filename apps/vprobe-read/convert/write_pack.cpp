@@ -70,6 +70,10 @@ public:
 		writeAttribute(own, "NumberOfPoints", H5T_NATIVE_INT64, count(grid_->GetNumberOfPoints()));
 		writeAttribute(own, "NumberOfCells", H5T_NATIVE_INT64, count(grid_->GetNumberOfCells()));
 		writeAttribute(own, "CellsOfRun", H5T_NATIVE_INT64, count(static_cast<vtkIdType>(division_.cellsOfRun())));
+		const PackDivision::LeftOut& left_out = division_.leftOut();
+		writeAttribute(own, "FlatCells", H5T_NATIVE_INT64, count(left_out.flat));
+		writeAttribute(own, "HiddenCells", H5T_NATIVE_INT64, count(left_out.hidden));
+		writeAttribute(own, "CellsWithoutPlace", H5T_NATIVE_INT64, count(left_out.unplaced));
 		const std::span<const std::uint8_t> types = division_.types();
 		if (std::ranges::all_of(types, [&](std::uint8_t type) { return type == types[0]; }))
 			writeAttribute(own, "CellType", H5T_NATIVE_INT64, count(types[0]));
@@ -203,7 +207,7 @@ private:
 			const auto type = array ? arrays::numberTypeOfVtk(array->GetDataType()) : std::nullopt;
 			if (!type || !array->GetName())
 				continue;
-			const std::string plain = nameInFile(array->GetName());
+			const std::string plain = nameInGroup(values, array->GetName());
 			const auto components = static_cast<hsize_t>(array->GetNumberOfComponents());
 			const std::size_t bytes = components * grid::byteSize(*type);
 			const auto* from = static_cast<const std::byte*>(array->GetVoidPointer(0));

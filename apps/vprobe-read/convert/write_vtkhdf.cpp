@@ -97,7 +97,7 @@ void writeArrays(hid_t root, const char* name, vtkDataSetAttributes* fields, con
 		std::vector<hsize_t> all = sides;
 		if (array->GetNumberOfComponents() > 1)
 			all.push_back(static_cast<hsize_t>(array->GetNumberOfComponents()));
-		const std::string plain = nameInFile(array->GetName());
+		const std::string plain = nameInGroup(group, array->GetName());
 		const auto bytes =
 		    static_cast<hsize_t>(array->GetNumberOfValues()) * static_cast<hsize_t>(array->GetDataTypeSize());
 		if (arrays::storedPlaceOf(array) || (sides.size() == 3 && bytes > kMinBytesInBricks))

@@ -188,8 +188,12 @@ void Writer::addPack(vtkUnstructuredGrid* grid, json facts, std::span<const std:
 	if (blocks_.size() == before)
 		return;
 	json& block = blocks_.back();
+	// The whole counts, whichever parts were read.
+	counts_.flat = facts.at("flat_cells").get<std::size_t>();
+	counts_.hidden = facts.at("hidden_cells").get<std::size_t>();
 	const json of_arrays = std::exchange(facts["arrays"], {});
-	facts.erase("arrays");
+	for (const char* told : {"arrays", "flat_cells", "hidden_cells"})
+		facts.erase(told);
 	for (json& array : block["arrays"])
 		if (const std::string key =
 		        fmt::format("{}:{}", array.at("association").get<std::string>(), array.at("name").get<std::string>());

@@ -53,8 +53,9 @@ public:
 	std::vector<vtkSmartPointer<vtkDataSet>> collect(const std::function<void()>& read);
 	// Adds layers of an image, or of a rectilinear or curvilinear grid. Its part has been begun.
 	void addLayers(vtkDataObject* object, const CellLayers& layers);
-	// Adds a grid that was read from a pack, of which it may be a part. facts: its "pack" (protocol.h), and the "facts"
-	// about its arrays as "arrays", by "point:NAME" or "cell:NAME". numbers: its cells in the file that was packed.
+	// Adds a grid that was read from a pack, of which it may be a part. facts: its "pack" (protocol.h), with
+	// "flat_cells" and "hidden_cells" in the whole, and the "facts" about its arrays as "arrays", by "point:NAME" or
+	// "cell:NAME". numbers: its cells in the file that was packed.
 	void addPack(vtkUnstructuredGrid* grid, nlohmann::json facts, std::span<const std::uint32_t> numbers);
 	// Every data set in `object` that holds three-dimensional cells becomes a block.
 	void add(vtkDataObject* object);

@@ -5,6 +5,7 @@
 #include "grid/demo/demo.h"
 #include "grid/field_choice.h"
 #include "options/spec_options.h"
+#include "ranks/data/share.h"
 #include "read/formats.h"
 #include "read/read.h"
 #include "read/sandbox.h"
@@ -22,6 +23,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <type_traits>
 #include <variant>
 
@@ -125,9 +127,11 @@ nlohmann::json infoJson(const grid::BlockSet& blocks, int level)
 	nlohmann::json block_list = nlohmann::json::array();
 	for (const grid::Block& block : blocks.blocks)
 	{
-		const auto [cells, points] = std::visit(
+		auto [cells, points] = std::visit(
 		    [](const auto& grid) { return std::pair<std::size_t, std::size_t>(grid.cellCount(), grid.pointCount()); },
 		    block.grid);
+		if (block.whole)
+			std::tie(cells, points) = std::tie(block.whole->cells, block.whole->points);
 		nlohmann::json& each =
 		    block_list.emplace_back(nlohmann::json{{"name", block.name}, {"cells", cells}, {"points", points}});
 		each["parts"] = block.whole ? nlohmann::json(block.whole->parts.all) : nlohmann::json();
@@ -153,12 +157,13 @@ nlohmann::json infoJson(const grid::BlockSet& blocks, int level)
 	nlohmann::json units = nullptr;
 	if (const std::string known = lengthUnits(blocks); !known.empty())
 		units = known;
+	const ranks::Share::Counts counts = ranks::countsOf(ranks::Ranks::alone(), blocks);
 	return {{"grid",
-	         {{"kind", blocks.kind()},
-	          {"cells", blocks.sourceCellCount()},
-	          {"points", blocks.sourcePointCount()},
-	          {"linear_cells", blocks.cellCount()},
-	          {"linear_points", blocks.pointCount()},
+	         {{"kind", counts.kind},
+	          {"cells", counts.cells},
+	          {"points", counts.points},
+	          {"linear_cells", counts.linear_cells},
+	          {"linear_points", counts.linear_points},
 	          {"blocks", blocks.blocks.size()},
 	          {"cells_left_out", blocks.left_out},
 	          {"cells_without_place", blocks.unplaced}}},
@@ -170,7 +175,8 @@ nlohmann::json infoJson(const grid::BlockSet& blocks, int level)
 	        {"orientation", blocks.imaging().orientation},
 	        {"overlap_pairs", {{"near", found.near}, {"looked_at", found.looked_at}}},
 	        {"seam_faces", blocks.interfaces.seam_faces},
-	        {"boundary_faces", blocks.interfaces.boundary_faces},
+	        {"boundary_faces",
+	         grid::lacksParts(blocks) ? nlohmann::json() : nlohmann::json(blocks.interfaces.boundary_faces)},
 	        {"bounds", {bounds.lo.x, bounds.hi.x, bounds.lo.y, bounds.hi.y, bounds.lo.z, bounds.hi.z}},
 	        {"length_units", units},
 	        {"times", blocks.times},
@@ -287,16 +293,18 @@ void printMeetings(const grid::BlockSet& blocks)
 void printInfo(const grid::BlockSet& blocks, int level)
 {
 	const Box bounds = blocks.bounds();
-	print("grid    {}, {} cells, {} points, {} block{}\n", blocks.kind(), blocks.sourceCellCount(),
-	      blocks.sourcePointCount(), blocks.blocks.size(), blocks.blocks.size() == 1 ? "" : "s");
-	if (blocks.cellCount() != blocks.sourceCellCount())
-		print("        cut into {} linear cells with {} points\n", blocks.cellCount(), blocks.pointCount());
+	const ranks::Share::Counts counts = ranks::countsOf(ranks::Ranks::alone(), blocks);
+	print("grid    {}, {} cells, {} points, {} block{}\n", counts.kind, counts.cells, counts.points, counts.blocks,
+	      counts.blocks == 1 ? "" : "s");
+	if (counts.linear_cells != counts.cells)
+		print("        cut into {} linear cells with {} points\n", counts.linear_cells, counts.linear_points);
 	if (blocks.left_out)
 		print("        {} cells of fewer than three dimensions are left out\n", blocks.left_out);
 	if (blocks.unplaced)
 		print("        {} cells with a point without a place are left out\n", blocks.unplaced);
 	printBlocks(blocks);
-	printMeetings(blocks);
+	if (!grid::lacksParts(blocks))
+		printMeetings(blocks);
 	printPatches(blocks);
 	const std::string units = lengthUnits(blocks);
 	print("bounds  x {}, y {}, z {}{}{}\n", rangeWords(bounds.lo.x, bounds.hi.x), rangeWords(bounds.lo.y, bounds.hi.y),
@@ -351,7 +359,7 @@ Result<ExitCode> runInfo(const InfoOptions& options)
 			print("demo:{:<8} {}\n", demo.name, demo.about);
 		return ExitCode::done;
 	}
-	Result<grid::BlockSet> blocks = session::readInputs(options.input.spec, true);
+	Result<grid::BlockSet> blocks = session::readFacts(options.input.spec);
 	if (!blocks)
 		return blocks.error();
 	if (options.json)

@@ -82,7 +82,7 @@ void finishBlock(Block& block, bool for_one_cut)
 	if (!hasNeighbors(block))
 	{
 		const auto& listed = std::get<UnstructuredGrid>(block.grid);
-		block.bounds = boundsOfCells(listed.coordinates(), *listed.list());
+		block.bounds = block.whole ? block.whole->bounds : boundsOfCells(listed.coordinates(), *listed.list());
 		return;
 	}
 	auto* curvilinear = std::get_if<CurvilinearGrid>(&block.grid);
@@ -92,7 +92,7 @@ void finishBlock(Block& block, bool for_one_cut)
 	std::visit(
 	    [&](const auto& grid)
 	    {
-		    block.bounds = boundsOf(grid);
+		    block.bounds = block.whole ? block.whole->bounds : boundsOf(grid);
 		    block.boundary = buildBoundaryIndex(grid);
 		    block.vantage = distinct(vantagesOf(grid, block.boundary));
 		    if (block.knows_folds)

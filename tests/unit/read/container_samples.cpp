@@ -208,6 +208,8 @@ void writePack(const std::string& path)
 	file.attribute("/vprobe", "NumberOfPoints", std::vector<double>{kSamplePointCount});
 	file.attribute("/vprobe", "NumberOfCells", std::vector<double>{kSampleCellCount});
 	file.attribute("/vprobe", "CellsOfRun", std::vector<double>{16});
+	for (const char* none : {"FlatCells", "HiddenCells", "CellsWithoutPlace"})
+		file.attribute("/vprobe", none, std::vector<double>{0});
 }
 
 // Returns the stored words of each plane of constant z: 0 to 65535 from its least to its greatest value.

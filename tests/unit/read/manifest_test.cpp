@@ -141,6 +141,7 @@ Made makePackManifest()
 	blocks = json::array({blocks.back()});
 	made.block(0)["pack"] = {{"points", 20},
 	                         {"cells", 10},
+	                         {"cells_without_place", 3},
 	                         {"bounds", {-1.0, 0.0, -1.0, 4.0, 1.0, 1.0}},
 	                         {"parts", 5},
 	                         {"parts_read", 2},
@@ -163,6 +164,7 @@ TEST(Manifest, TakesTheWholeOfAPack)
 	ASSERT_TRUE(input) << input.error().message;
 	const grid::WholeGrid& whole = *input->blocks[0].whole;
 	EXPECT_EQ(whole.cells, 10u);
+	EXPECT_EQ(input->unplaced, 3u);
 	EXPECT_EQ(whole.bounds.hi.x, 4.0);
 	EXPECT_EQ(whole.parts.read, 2u);
 	EXPECT_EQ(whole.cell_numbers[2], 9);
@@ -177,7 +179,6 @@ TEST(Manifest, TakesTheWholeOfAPack)
 TEST(Manifest, RefusesAPackThatContradictsItself)
 {
 	const std::vector<std::function<void(Made&)>> damages = {
-	    [](Made& m) { m.block(0)["pack"]["cells"] = 2; },
 	    [](Made& m) { m.block(0)["pack"]["cells"] = -1; },
 	    [](Made& m) { m.block(0)["pack"]["parts_read"] = 6; },
 	    [](Made& m) { m.block(0)["pack"]["bounds"][0] = 5.0; },
@@ -186,6 +187,7 @@ TEST(Manifest, RefusesAPackThatContradictsItself)
 		    m.block(0)["pack"]["numbers"] = m.array<std::int64_t>("int64", {1, 2});
 	    },
 	    [](Made& m) { m.block(0)["pack"].erase("numbers"); },
+	    [](Made& m) { m.block(0)["pack"]["cells_without_place"] = -1; },
 	    [](Made& m) { m.block(0)["arrays"][0]["facts"]["spans"].erase(1); },
 	    [](Made& m) { m.block(0)["arrays"][0]["facts"]["spans"][0][0] = 6.0; },
 	    [](Made& m) { m.block(0)["arrays"][0]["facts"]["spans"][0][2] = 1; },

@@ -1,9 +1,9 @@
 #include "pack_checks.h"
 
+#include "read/check_mesh.h"
 #include "vprobe-read/base/refusal.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 namespace vp::reader::vtk
@@ -15,12 +15,14 @@ namespace
 template <class Number>
 void refusePlacesOutside(std::span<const std::int32_t> ids, const Number* places, const std::array<double, 6>& box)
 {
+	if (box[0] > box[3])
+		return; // cells that nobody sees
 	bool is_outside = false;
 	for (const std::int32_t id : ids)
 		for (std::size_t axis = 0; axis < 3; ++axis)
 		{
 			const double at = places[3 * static_cast<std::size_t>(id) + axis];
-			is_outside |= (at < box[axis] || at > box[axis + 3]) && std::isfinite(at);
+			is_outside |= (at < box[axis] || at > box[axis + 3]) && read::isPlace(at);
 		}
 	if (is_outside)
 		throw damaged("a point lies outside the box of its cells; pack the file again");

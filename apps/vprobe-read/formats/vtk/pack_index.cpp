@@ -43,6 +43,9 @@ PackIndex::PackIndex(const hdf5::File& file, const WantsVtkHdfArray& wants)
 {
 	if (descriptor_ < 0)
 		throw Refusal("it cannot be opened; check its permissions");
+	if (const double version = file.realOr(kOwn, "Version", 1.0); version >= 2.0)
+		throw Refusal(
+		    fmt::format("a pack of version {}; install a newer vprobe, or pack it again with this one", version));
 	if (all_points_ > parts_.all_points || all_cells_ != parts_.all_cells)
 		throw damaged("its parts do not make up the whole");
 	listRuns();
@@ -211,8 +214,19 @@ json PackIndex::facts(std::size_t runs_read, std::uint64_t bytes_read) const
 	json of_arrays = json::object();
 	for (const PackedArray& array : arrays_)
 		of_arrays[(array.association == "Point" ? "point:" : "cell:") + array.name] = array.facts;
-	return {{"points", all_points_},         {"cells", all_cells_},     {"bounds", bounds},
-	        {"parts", runs_.size()},         {"parts_read", runs_read}, {"bytes_read", bytes_read},
+	const std::uint64_t flat = countOf("FlatCells"), hidden = countOf("HiddenCells"),
+	                    unplaced = countOf("CellsWithoutPlace");
+	if (flat + hidden + unplaced > all_cells_)
+		throw damaged("it has more cells that are left out than cells");
+	return {{"points", all_points_},
+	        {"cells", all_cells_ - flat - hidden - unplaced},
+	        {"flat_cells", flat},
+	        {"hidden_cells", hidden},
+	        {"cells_without_place", unplaced},
+	        {"bounds", bounds},
+	        {"parts", runs_.size()},
+	        {"parts_read", runs_read},
+	        {"bytes_read", bytes_read},
 	        {"arrays", std::move(of_arrays)}};
 }
 
