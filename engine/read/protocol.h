@@ -66,11 +66,11 @@ namespace vp::read
 // standard input, kAllParts for all; kCellsFd then has their numbers as uint64, ascending. Other files are read as if
 // PARTS was empty.
 //
-// A block of a pack has a "pack": {"points", "cells" that are seen, "cells_without_place", "bounds": [x, y, z of both ends], "parts",
-// "parts_read", "bytes_read", "numbers": array of int64 in kCellsFd, the number in the packed file of each cell}. Its
-// arrays have "facts" on the values in all parts (grid::ArrayFacts): {"tuples", "spans": [[lo, hi, whether there is
-// -inf, +inf]
-// ..], lo and hi null if no value is finite, "values": [..], "changes": [all, to the next value]}.
+// A block of a pack has a "pack": {"points", "cells" that are seen, "cells_without_place", "bounds": [x, y, z of both
+// ends], "parts", "parts_read", "bytes_read", "numbers": array of int64 in kCellsFd, the number in the packed file of
+// each cell}. Its arrays have "facts" on the values in all parts (grid::ArrayFacts): {"tuples", "spans": [[lo, hi,
+// whether there is -inf, +inf] ..], lo and hi null if no value is finite, "values": [..], "changes": [all, to the next
+// value]}.
 constexpr int kProtocolVersion = 17;
 constexpr int kArraysFd = 3;
 constexpr int kManifestFd = 4;
