@@ -232,15 +232,6 @@ std::string programFor(const std::string& program, const std::string& file, cons
 
 } // namespace
 
-Result<RequestEnds> requestEnds(const std::string& file)
-{
-	std::array<int, 2> ends = {-1, -1};
-	// Not a pipe: whoever writes into a pipe that nobody reads any more gets a signal.
-	if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
-		return Error{ErrorKind::internal, fmt::format("{}: no socket for its reader ({})", file, std::strerror(errno))};
-	return RequestEnds{lifted(ends[0]), lifted(ends[1])};
-}
-
 Error stopped(const std::string& input)
 {
 	return {ErrorKind::cancelled, fmt::format("{}: reading was cancelled", input)};

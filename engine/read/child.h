@@ -21,14 +21,6 @@ struct HandedOver
 	SharedBytes cells;
 };
 
-// The two ends of a socket by which a child gets requests.
-struct RequestEnds
-{
-	Descriptor own;
-	Descriptor childs;
-};
-Result<RequestEnds> requestEnds(const std::string& file);
-
 // vprobe-read at work on one file, within its limits. Every failure of it is an error that names the file.
 class ReaderAtWork
 {

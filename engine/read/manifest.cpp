@@ -2,7 +2,6 @@
 
 #include "base/ids.h"
 #include "base/input_files.h"
-#include "grid/array_facts.h"
 #include "read/check_curved.h"
 #include "read/check_mesh.h"
 #include "read/collapsed_cells.h"
@@ -203,30 +202,6 @@ private:
 		if (whole.bounds.empty() || whole.parts.read > whole.parts.all)
 			throw Unusable("parts of a grid are more than the whole");
 		return std::make_shared<const grid::WholeGrid>(std::move(whole));
-	}
-
-	static std::shared_ptr<const grid::ArrayFacts> factsOf(const json& facts, int components)
-	{
-		auto found = std::make_shared<grid::ArrayFacts>();
-		found->tuples = countOf(facts.at("tuples"));
-		for (const json& each : facts.at("spans"))
-		{
-			grid::ValueSpan& span = found->spans.emplace_back();
-			span.minus_infinity = each.at(2).get<bool>();
-			span.plus_infinity = each.at(3).get<bool>();
-			if (each.at(0).is_null())
-				continue;
-			span.lo = finiteOf(each.at(0));
-			span.hi = finiteOf(each.at(1));
-			if (span.empty())
-				throw Unusable("the range of an array has its ends exchanged");
-		}
-		if (found->spans.size() != static_cast<std::size_t>(components) + 1)
-			throw Unusable("an array has not a range for each of its components");
-		for (const json& value : facts.at("values"))
-			found->values.include(finiteOf(value));
-		found->changes = {countOf(facts.at("changes").at(0)), countOf(facts.at("changes").at(1))};
-		return found;
 	}
 
 	// Sets the mesh, and how many tuples its point and cell arrays have.

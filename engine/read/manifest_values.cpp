@@ -2,6 +2,7 @@
 
 #include "base/control_letters.h"
 #include "base/ids.h"
+#include "grid/array_facts.h"
 #include "read/check_mesh.h"
 #include "read/protocol.h"
 
@@ -101,6 +102,30 @@ json parsedManifest(std::string_view text)
 		return true;
 	};
 	return json::parse(text, limited);
+}
+
+std::shared_ptr<const grid::ArrayFacts> factsOf(const json& facts, int components)
+{
+	auto found = std::make_shared<grid::ArrayFacts>();
+	found->tuples = countOf(facts.at("tuples"));
+	for (const json& each : facts.at("spans"))
+	{
+		grid::ValueSpan& span = found->spans.emplace_back();
+		span.minus_infinity = each.at(2).get<bool>();
+		span.plus_infinity = each.at(3).get<bool>();
+		if (each.at(0).is_null())
+			continue;
+		span.lo = finiteOf(each.at(0));
+		span.hi = finiteOf(each.at(1));
+		if (span.empty())
+			throw Unusable("the range of an array has its ends exchanged");
+	}
+	if (found->spans.size() != static_cast<std::size_t>(components) + 1)
+		throw Unusable("an array has not a range for each of its components");
+	for (const json& value : facts.at("values"))
+		found->values.include(finiteOf(value));
+	found->changes = {countOf(facts.at("changes").at(0)), countOf(facts.at("changes").at(1))};
+	return found;
 }
 
 Array<std::byte> bytesOf(const SharedBytes& memory, const json& array, NumberType type, std::uint64_t numbers)

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -33,6 +34,9 @@ grid::NumberType numberTypeOf(const std::string& name);
 grid::Association associationOf(const nlohmann::json& value);
 // name: of the array, for the message.
 int componentsOf(const nlohmann::json& value, const std::string& name);
+
+// Returns what a pack says of all values of an array.
+std::shared_ptr<const grid::ArrayFacts> factsOf(const nlohmann::json& facts, int components);
 
 // Parses a text of a child. Throws Unusable if it is nested too deeply, and the exceptions of nlohmann::json.
 nlohmann::json parsedManifest(std::string_view text);

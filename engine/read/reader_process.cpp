@@ -3,6 +3,8 @@
 #include "base/sanitized.h"
 #include "read/protocol.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -16,6 +18,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -75,6 +78,15 @@ Pipe makePipe()
 	if (pipe2(ends.data(), O_CLOEXEC) != 0)
 		return {};
 	return {lifted(ends[0]), lifted(ends[1])};
+}
+
+Result<RequestEnds> requestEnds(const std::string& file)
+{
+	std::array<int, 2> ends = {-1, -1};
+	// Not a pipe: whoever writes into a pipe that nobody reads any more gets a signal.
+	if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+		return Error{ErrorKind::internal, fmt::format("{}: no socket for its reader ({})", file, std::strerror(errno))};
+	return RequestEnds{lifted(ends[0]), lifted(ends[1])};
 }
 
 void becomeReader(const ChildSetup& setup)

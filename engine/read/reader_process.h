@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/result.h"
 #include "read/mapping.h"
 
 #include <chrono>
@@ -24,6 +25,14 @@ struct Pipe
 // `lifted` takes over its argument. Both are empty if the system refuses.
 Descriptor lifted(int fd);
 Pipe makePipe();
+
+// The two ends of a socket by which a child gets requests.
+struct RequestEnds
+{
+	Descriptor own;
+	Descriptor childs;
+};
+Result<RequestEnds> requestEnds(const std::string& file);
 
 // Everything that a child needs between fork and exec, since it must not allocate there.
 struct ChildSetup

@@ -158,6 +158,21 @@ def packs_tell_cells_that_are_left_out(folder):
     assert one == other and one['cells_left_out'] == 2 and one['cells_without_place'] > 0, (one, other)
 
 
+def packs_are_converted_and_packed_again(folder):
+    path, pack = packed(folder, '--part', '64')
+    again, back = folder / 'again.vtkhdf', folder / 'back.vtu'
+    vprobe('pack', pack, '-o', again, '--part', '100')
+    vprobe('convert', pack, '-o', back)
+    for each in (again, back):
+        options = ['--probe', 'trihedral', '--array', 'f', '--stats', folder / 's.json']
+        sheets = []
+        for file in (path, each):
+            vprobe('slice', file, *options)
+            sheets.append(json.loads((folder / 's.json').read_text())['sheets'])
+        for a, b in zip(*sheets, strict=True):
+            assert not {key for key in a if key not in OWN and not same(a[key], b[key])}, each
+
+
 def arrays_that_become_alike_are_kept(folder):
     """HDF5 has no names with slashes and dots."""
     meshio, numpy = need('meshio'), need('numpy')
@@ -273,4 +288,4 @@ def packing_refuses(folder):
 
 CASES = [packs_are_cut_as_their_inputs, packs_read_what_is_cut, packs_are_whole_where_that_is_asked,
          packs_look_like_their_inputs, packs_tell_cells_that_are_left_out,
-         arrays_that_become_alike_are_kept, vtk_reads_packs, packs_in_chunks, damaged_packs_are_refused, packing_refuses]
+         packs_are_converted_and_packed_again, arrays_that_become_alike_are_kept, vtk_reads_packs, packs_in_chunks, damaged_packs_are_refused, packing_refuses]

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "base/huge_vector.h"
-
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -53,10 +51,10 @@ public:
 	std::size_t count() const { return in_file_.size(); } // number of runs
 	// Returns the rows of a run in memory, of all rows there.
 	template <class Row>
-	std::span<Row> of(std::size_t run, HugeVector<Row>& rows) const
+	std::span<Row> of(std::size_t run, std::span<Row> rows) const
 	{
 		const std::uint64_t end = run + 1 < in_memory_.size() ? in_memory_[run + 1] : size_;
-		return std::span(rows).subspan(in_memory_[run], end - in_memory_[run]);
+		return rows.subspan(in_memory_[run], end - in_memory_[run]);
 	}
 	std::uint64_t inMemory(std::size_t run) const { return in_memory_[run]; }
 	// Calls visit(FIRST IN FILE, FIRST IN MEMORY, COUNT) for rows that follow each other in both.

@@ -110,7 +110,14 @@ private:
 		const hdf5::Rows id_rows = index_.rowsOf("Connectivity", NumberType::int32);
 
 		HugeVector<std::uint32_t> numbers(chosen.points.size()), cell_numbers(chosen.cells.size());
-		HugeVector<std::int32_t> ids(chosen.ids.size());
+		vtkNew<Ids> connectivity; // whoever keeps the grid keeps it
+		connectivity->SetNumberOfValues(static_cast<vtkIdType>(chosen.ids.size()));
+		Id* first = connectivity->GetPointer(0);
+		constexpr bool is_wide =
+		    sizeof(Id) > sizeof(std::int32_t); // than ids in the file, which else are turned in place
+		HugeVector<std::int32_t> narrow(is_wide ? chosen.ids.size() : 0);
+		const std::span<std::int32_t> ids(is_wide ? narrow.data() : reinterpret_cast<std::int32_t*>(first),
+		                                  chosen.ids.size());
 		HugeVector<std::byte> places(chosen.points.size() * place_rows.rowBytes());
 		fetch(number_rows, chosen.points, numbers.data());
 		fetch(place_rows, chosen.points, places.data());
@@ -119,16 +126,10 @@ private:
 		runTasks();
 		const std::uint64_t count = renumber(chosen, numbers);
 
-		vtkNew<Ids> connectivity; // in place, unless it is wider
-		if constexpr (sizeof(Id) == sizeof(std::int32_t))
-			connectivity->SetArray(ids.data(), static_cast<vtkIdType>(ids.size()), 1);
-		else
-			connectivity->SetNumberOfValues(static_cast<vtkIdType>(ids.size()));
-		Id* first = connectivity->GetPointer(0);
 		tasks_.add(chosen.runs.size(),
 		           [&](std::size_t run, arrays::Scratch&)
 		           {
-			           const auto of_part = chosen.points.of(chosen.part_of_run[run], numbers);
+			           const auto of_part = chosen.points.of(chosen.part_of_run[run], std::span(numbers));
 			           const std::span<std::int32_t> local = chosen.ids.of(run, ids);
 			           refuseWrongIds(local, of_part.size());
 			           const std::byte* of_first =
@@ -160,7 +161,7 @@ private:
 		PointRanks ranks(index_.allPoints());
 		for (std::size_t part = 0; part < chosen.points.count(); ++part)
 		{
-			const std::span<std::uint32_t> of_part = chosen.points.of(part, numbers);
+			const std::span<std::uint32_t> of_part = chosen.points.of(part, std::span(numbers));
 			for (std::size_t p = 0; p < of_part.size(); ++p)
 			{
 				if (of_part[p] >= index_.allPoints() || (p > 0 && of_part[p] <= of_part[p - 1]))
@@ -172,7 +173,7 @@ private:
 		tasks_.add(chosen.points.count(),
 		           [&](std::size_t part, arrays::Scratch&)
 		           {
-			           for (std::uint32_t& number : chosen.points.of(part, numbers))
+			           for (std::uint32_t& number : chosen.points.of(part, std::span(numbers)))
 				           number = static_cast<std::uint32_t>(ranks.rank(number));
 		           });
 		runTasks();
@@ -207,7 +208,7 @@ private:
 			runTasks();
 			for (std::size_t run = 0; run < chosen.runs.size(); ++run)
 			{
-				const std::span<std::int32_t> of_run = chosen.ends.of(run, local);
+				const std::span<std::int32_t> of_run = chosen.ends.of(run, std::span(local));
 				refuseWrongEnds(of_run, index_.runs()[chosen.runs[run]].ids);
 				Id* to = ends + chosen.cells.inMemory(run) + 1;
 				for (const std::int32_t end : of_run.subspan(1))
