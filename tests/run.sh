@@ -135,7 +135,7 @@ check_with_clang()
 		ninja -C "build/$preset" -t commands | grep -E ' -c [^ ]+$' | sort -u
 	} | if (($# > 1)); then sort | uniq -u; else sort -u; fi |
 		sed -E "s#^.*/(c|g|clang)\+\+(-[0-9]+)? #$compile -Wall -Wextra -Werror #; s# -MD -MT [^ ]+ -MF [^ ]+ # #
-			s# -o ([^ ]+) -c # -o clang/\1$end -c #" >"build/$preset/clang.txt"
+			s# -o ([^ ]+) -c # -o clang/\1$end -c #; s# --param=[^ ]+##g" >"build/$preset/clang.txt"
 	(
 		cd "build/$preset"
 		sed -E 's#.* -o ([^ ]+)/[^ ]+ .*#\1#' clang.txt | sort -u | xargs -d '\n' mkdir -p
