@@ -3,7 +3,6 @@
 #include "read/protocol.h"
 #include "vprobe-read/base/bytes_read.h"
 #include "vprobe-read/base/is_one_of.h"
-#include "vprobe-read/base/parent.h"
 #include "vprobe-read/base/read_files.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/checks/complaints.h"
@@ -15,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -121,8 +121,8 @@ Request parseRequest(int count, char** arguments)
 	request.convert_to = arguments[10];
 	request.convert_folder = arguments[11];
 	request.cells_of_part = std::strtoull(arguments[12], nullptr, 10);
-	request.asks_for_parts = arguments[13] == std::string_view("ask");
-	request.parts = request.asks_for_parts ? "" : arguments[13];
+	request.wants_places = arguments[13] == std::string_view("places");
+	request.parts = request.wants_places ? "" : arguments[13];
 	request.sandbox = arguments[14];
 	request.follow = linesOf(arguments[15]);
 	if (*arguments[16])
@@ -133,6 +133,20 @@ Request parseRequest(int count, char** arguments)
 	request.slices.assign(arguments + kArgumentCount, arguments + count);
 	request.arguments = arguments;
 	return request;
+}
+
+// Ends the process if the parent is gone.
+void sendToParent(std::string_view bytes)
+{
+	std::size_t sent = 0;
+	while (sent < bytes.size())
+	{
+		const ssize_t n = write(read::kManifestFd, bytes.data() + sent, bytes.size() - sent);
+		if (n < 0 && errno != EINTR)
+			_exit(1);
+		if (n > 0)
+			sent += static_cast<std::size_t>(n);
+	}
 }
 
 int run(int argc, char** argv)

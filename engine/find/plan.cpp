@@ -132,17 +132,19 @@ const char* whyTaken(Strategy strategy, const PlannedSheet& at)
 		return std::holds_alternative<PatchName>(*at.request.surface) ? "the faces of a patch are known"
 		                                                              : "cells of a grid index are known by subscripts";
 	case Strategy::scan:
-		return "the only cut: every cell is looked at once";
+		return at.block.runs ? "in parts: the cells in the boxes that the sheet meets are looked at"
+		                     : "the only cut: every cell is looked at once";
 	case Strategy::generations:
 		break;
 	}
 	return whyGenerations(at);
 }
 
-/// Returns true if neighbors would have to be built for this cut only.
+/// Returns true if neighbors would have to be built for this cut only, or need parts that it does without.
 bool isOneOff(const PlannedSheet& at)
 {
-	return at.lacks_neighbors && !at.request.another_follows && !at.request.in_generations && !at.request.device_first;
+	return at.lacks_neighbors && (!at.request.another_follows || at.block.runs) && !at.request.in_generations &&
+	       !at.request.device_first;
 }
 
 /// Returns the first possible strategy, in the order of their speed. A device gets generations instead of a search on

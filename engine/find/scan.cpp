@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <numeric>
 #include <tuple>
@@ -25,6 +26,7 @@ namespace
 
 constexpr std::size_t kPoints = 1 << 16; // at a time
 constexpr std::size_t kCells = 1 << 16;
+constexpr std::size_t kRuns = 64;
 
 // The sides of points: bits, so that those of a cell are joined by one operation for each point.
 constexpr std::uint8_t kPositive = 1;
@@ -79,6 +81,28 @@ void takeSides(const grid::UnstructuredGrid& grid, const surface::Plane& plane, 
 		takeSides(points.floats(), plane, bounds, begin, end, sides);
 }
 
+/// The sides of some points, which other threads may take at the same time.
+void takeSides(const grid::UnstructuredGrid& grid, const surface::Plane& plane, std::span<const PointId> points,
+               std::uint8_t* sides)
+{
+	for (const PointId p : points)
+		std::atomic_ref(sides[p]).store(sideOf(plane.signedDistance(grid.point(p))), std::memory_order_relaxed);
+}
+
+void takeSides(const grid::UnstructuredGrid& grid, const surface::BlockSurface& surface,
+               std::span<const PointId> points, std::uint8_t* sides)
+{
+	constexpr std::size_t kMax = surface::BlockSurface::kMaxPoints;
+	std::array<double, kMax> heights;
+	for (; !points.empty(); points = points.subspan(std::min(kMax, points.size())))
+	{
+		const std::span<const PointId> some = points.first(std::min(kMax, points.size()));
+		surface.heights(grid, some, heights.data());
+		for (std::size_t i = 0; i < some.size(); ++i)
+			std::atomic_ref(sides[some[i]]).store(sideOf(heights[i]), std::memory_order_relaxed);
+	}
+}
+
 void takeSides(const grid::UnstructuredGrid& grid, const surface::BlockSurface& surface, const Box&, std::size_t begin,
                std::size_t end, std::uint8_t* sides)
 {
@@ -126,6 +150,44 @@ public:
 			codes_of_[s] = caseCodes(static_cast<grid::CellShape>(s));
 	}
 
+	/// Looks at the cells of runs that are in memory.
+	Scan scan(const grid::CellRuns& all, std::span<const std::uint32_t> runs)
+	{
+		std::vector<std::uint32_t> parts; // of the file, each once
+		for (const std::uint32_t run : runs)
+			if (const std::uint32_t part = all.runs()[run].part; parts.empty() || parts.back() != part)
+				parts.push_back(part);
+		tracedFor(std::size_t(0), parts.size(),
+		          [&](std::size_t part) { takeSides(grid_, surface_, all.pointsOf(parts[part]), sides_.data()); });
+		parts_.resize((runs.size() + kRuns - 1) / kRuns);
+		const auto scanRuns = [&](const auto& scanRange)
+		{
+			forParts(runs.size(), kRuns,
+			         [&](std::size_t begin, std::size_t end, std::size_t part)
+			         {
+				         for (const std::uint32_t number : runs.subspan(begin, end - begin))
+				         {
+					         const grid::CellRuns::Run& run = all.runs()[number];
+					         scanRange(run.first_cell, run.first_cell + run.cells, parts_[part]);
+				         }
+			         });
+		};
+		const grid::CellList& list = *grid_.list();
+		if (list.offsets.empty())
+			list.connectivity.as(
+			    [&](auto ids) {
+				    withPoints([&]<int kCount>()
+				               { scanRuns([&](auto... range) { scanAlike<kCount>(ids.data(), range...); }); });
+			    });
+		else
+			scanRuns([&](auto... range) { scanAny(range...); });
+		Scan scan = joined();
+		scan.cut.scanned = 0;
+		for (const std::uint32_t run : runs)
+			scan.cut.scanned += all.runs()[run].cells;
+		return scan;
+	}
+
 	Scan scan()
 	{
 		std::fill(sides_.begin() + static_cast<std::ptrdiff_t>(grid_.pointCount()), sides_.end(), kNoPoint);
@@ -136,8 +198,7 @@ public:
 		const std::size_t cells = list ? list->size() : grid_.cellCount();
 		parts_.resize((cells + kCells - 1) / kCells);
 		if (list && list->offsets.empty() && cells > 0)
-			list->connectivity.as([&](auto ids)
-			                      { scanAlike(ids.data(), grid::topology(grid_.shape(0)).points, cells); });
+			list->connectivity.as([&](auto ids) { scanAlike(ids.data(), cells); });
 		else
 			forParts(cells, kCells,
 			         [&](std::size_t begin, std::size_t end, std::size_t part) { scanAny(begin, end, parts_[part]); });
@@ -163,18 +224,25 @@ private:
 
 	/// Cells of one shape, whose ids follow each other.
 	template <class Id>
-	void scanAlike(const Id* ids, int points, std::size_t cells)
+	void scanAlike(const Id* ids, std::size_t cells)
 	{
-		const auto withPoints = [&]<int kCount>()
-		{
-			forParts(cells, kCells,
-			         [&](std::size_t begin, std::size_t end, std::size_t part)
-			         { scanAlike<kCount>(ids, begin, end, parts_[part]); });
-		};
-		points == 4   ? withPoints.template operator()<4>()
-		: points == 5 ? withPoints.template operator()<5>()
-		: points == 6 ? withPoints.template operator()<6>()
-		              : withPoints.template operator()<8>();
+		withPoints(
+		    [&]<int kCount>()
+		    {
+			    forParts(cells, kCells,
+			             [&](std::size_t begin, std::size_t end, std::size_t part)
+			             { scanAlike<kCount>(ids, begin, end, parts_[part]); });
+		    });
+	}
+	/// Calls act<POINTS OF A CELL>(), where all cells are alike.
+	template <class Act>
+	void withPoints(const Act& act) const
+	{
+		const int points = grid::topology(grid_.shape(0)).points;
+		points == 4   ? act.template operator()<4>()
+		: points == 5 ? act.template operator()<5>()
+		: points == 6 ? act.template operator()<6>()
+		              : act.template operator()<8>();
 	}
 	template <int kCount, class Id>
 	void scanAlike(const Id* ids, std::size_t begin, std::size_t end, Part& part) const
@@ -349,7 +417,8 @@ template <class Surface>
 Scan scanCells(const grid::Block& block, const Surface& surface, const seed::SheetWindow* window,
                const grid::CellFilter& filter)
 {
-	return Scanner(std::get<grid::UnstructuredGrid>(block.grid), block.bounds, surface, window, filter).scan();
+	Scanner scanner(std::get<grid::UnstructuredGrid>(block.grid), block.bounds, surface, window, filter);
+	return block.runs ? scanner.scan(*block.runs, block.runs->meeting(surface)) : scanner.scan();
 }
 
 template Scan scanCells(const grid::Block&, const surface::Plane&, const seed::SheetWindow*, const grid::CellFilter&);

@@ -8,7 +8,7 @@
 namespace vp::grid
 {
 
-// Facts that a file tells about all values of an array. A block may hold a part of them.
+// Facts that a file tells about all values of an array, of which some may not have been read yet.
 struct ArrayFacts
 {
 	std::uint64_t tuples = 0;

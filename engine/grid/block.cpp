@@ -70,7 +70,9 @@ std::optional<parts::PartUse> partUse(const BlockSet& blocks)
 	};
 	forEachStored(blocks, [&](const parts::PartStore& store) { include(store.use()); });
 	for (const Block& block : blocks.blocks)
-		if (block.whole)
+		if (block.runs)
+			include(block.runs->use());
+		else if (block.whole)
 			include(block.whole->parts);
 	return sum;
 }
@@ -84,8 +86,23 @@ std::int64_t cellNumber(const Block& block, CellId cell)
 
 bool lacksParts(const BlockSet& blocks)
 {
-	return std::ranges::any_of(blocks.blocks, [](const Block& block)
-	                           { return block.whole && block.whole->parts.read < block.whole->parts.all; });
+	return std::ranges::any_of(blocks.blocks, [](const Block& block) { return block.runs != nullptr; });
+}
+
+void readAllParts(BlockSet& blocks)
+{
+	for (Block& block : blocks.blocks)
+	{
+		if (!block.runs)
+			continue;
+		block.runs->fetch(block.runs->all());
+		auto whole = std::make_shared<WholeGrid>(*block.whole);
+		whole->parts = block.runs->use();
+		block.whole = std::move(whole);
+		block.runs.reset();
+		for (Field& field : block.fields)
+			field.is_in_runs = false;
+	}
 }
 
 void startCountingParts(const BlockSet& blocks)

@@ -4,6 +4,7 @@
 #include "base/vec.h"
 #include "grid/block_tree.h"
 #include "grid/boundary.h"
+#include "grid/cell_runs.h"
 #include "grid/field.h"
 #include "grid/imaging.h"
 #include "grid/interfaces.h"
@@ -26,7 +27,7 @@ struct CurvedCells; // curved_cells.h
 
 using AnyGrid = std::variant<UniformGrid, RectilinearGrid, CurvilinearGrid, UnstructuredGrid>;
 
-// An unstructured grid that lies in its file in parts, of which a block may hold some.
+// What the file says of an unstructured grid that it has in parts.
 struct WholeGrid
 {
 	std::size_t points = 0; // those of several parts count once
@@ -55,6 +56,8 @@ struct Block
 	std::optional<Lattice> hidden_lattice;
 	// Set if the file has the grid in parts. Then `bounds` are those of the whole.
 	std::shared_ptr<const WholeGrid> whole{};
+	// Set if its cells are read when somebody needs them. Until then it is listed, and lacks all that was not fetched.
+	std::shared_ptr<CellRuns> runs{};
 	// Set if curved cells are refined where they are cut. Then `grid` has only the corners of these cells.
 	std::shared_ptr<const CurvedCells> curved{};
 
@@ -120,8 +123,11 @@ struct BlockSet
 // Returns the number that the user knows a cell by: that in the file, or in the file that was packed.
 std::int64_t cellNumber(const Block& block, CellId cell);
 
-/// Returns true if parts of a grid were left in the file, so that another cut may need more of them.
+/// Returns true if cells are left in the file (Block::runs). Whoever needs others than he has fetched calls
+/// readAllParts().
 bool lacksParts(const BlockSet& blocks);
+/// Reads what is left in the file. Throws parts::Unreadable, and parts::Stopped.
+void readAllParts(BlockSet& blocks);
 
 /// Returns true if all blocks know their neighbors.
 bool hasNeighbors(const BlockSet& blocks);
@@ -131,6 +137,7 @@ bool staysInFile(const BlockSet& blocks);
 
 /// Returns what was read of such arrays since startCounting(), and of grids in parts, or nothing if there are none.
 std::optional<parts::PartUse> partUse(const BlockSet& blocks);
+// Whoever fetches runs begins to count them himself.
 void startCountingParts(const BlockSet& blocks);
 
 /// Returns true if matchInterfaces() has run, or if the blocks are known to have no interfaces. Otherwise a mesh finds

@@ -73,7 +73,8 @@ struct Field
 	bool categorical = false; // see namesCategories(); set when a block takes its fields
 	std::string units{};      // as in the file, mostly empty
 	std::shared_ptr<const parts::PartStore> stored{};
-	std::shared_ptr<const ArrayFacts> facts{}; // if the file says them: it may have more values than are here
+	std::shared_ptr<const ArrayFacts> facts{}; // if the file says them
+	bool is_in_runs = false;                   // only values of cells that were fetched are here (grid/cell_runs.h)
 
 	std::size_t tuples() const;
 	// Returns the numbers of a tuple, one after the other, with no promise about alignment. Those of a stored array may

@@ -50,6 +50,9 @@ public:
 	/// Returns a listed grid, which shares the arrays. The preconditions are those of build(). Throws std::length_error
 	/// if there are too many cells or points, as build() does. Makes one pass over the types.
 	static UnstructuredGrid listed(Points points, CellList cells);
+	/// The same for cells that are read in runs (cell_runs.h): all of them count, and are three-dimensional. Looks at
+	/// none.
+	static UnstructuredGrid listedInRuns(Points points, CellList cells);
 	/// Returns the list of a listed grid, null if the grid is linked.
 	const CellList* list() const { return list_.get(); }
 	/// Returns true if neighbors are known, that is, if the grid is linked.

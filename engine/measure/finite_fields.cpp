@@ -64,7 +64,7 @@ FiniteFields::Known& FiniteFields::entryOf(const grid::Field& field)
 
 bool FiniteFields::holds(const grid::Field& field, std::size_t lookups)
 {
-	if (field.stored)
+	if (field.stored || field.is_in_runs)
 		return false; // to look would read all of it
 	const std::lock_guard lock(mutex_);
 	Known& known = entryOf(field);

@@ -18,6 +18,7 @@ grid::Block buildBlock(CheckedBlock&& checked, std::string name, bool identifies
 	block.arrays_left_out = std::move(checked.arrays_left_out);
 	block.hidden_lattice = checked.hidden_lattice;
 	block.whole = std::move(checked.whole);
+	block.runs = std::move(checked.runs);
 	std::visit(
 	    [&](auto&& mesh)
 	    {
@@ -26,7 +27,9 @@ grid::Block buildBlock(CheckedBlock&& checked, std::string name, bool identifies
 			    if (mesh.curved)
 				    return takeCurvedCells(block, {std::move(mesh.points), std::move(mesh.cells), tolerance,
 				                                   std::move(mesh.degrees), std::move(mesh.weights)});
-			    block.grid = grid::UnstructuredGrid::listed(std::move(mesh.points), std::move(mesh.cells));
+			    block.grid = block.runs
+			                     ? grid::UnstructuredGrid::listedInRuns(std::move(mesh.points), std::move(mesh.cells))
+			                     : grid::UnstructuredGrid::listed(std::move(mesh.points), std::move(mesh.cells));
 		    }
 		    else
 			    block.grid = std::move(mesh);

@@ -3,7 +3,6 @@
 #include "base/input_files.h"
 #include "read/formats.h"
 #include "read/manifest.h"
-#include "read/packed_grid.h"
 #include "read/protocol.h"
 #include "read/reader_process.h"
 #include "read/sandbox.h"
@@ -22,7 +21,6 @@
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
-#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -33,9 +31,6 @@ namespace
 {
 
 constexpr std::size_t kMaxReasonLength = 300;
-// Limits for what a child tells of a pack.
-constexpr std::uint64_t kMaxPackText = std::uint64_t(16) << 20;
-constexpr std::uint64_t kMaxPackParts = std::uint64_t(1) << 20; // their boxes take 48 MiB
 // Memory that the reader's libraries take before they look at a file.
 constexpr std::uint64_t kMinMemory = std::uint64_t(64) << 20;
 // An index may name many pieces, and each is open for a while.
@@ -181,7 +176,7 @@ std::vector<std::string> argumentsFor(const std::string& file, const ReadOptions
 	    options.convert_to,
 	    options.convert_folder,
 	    options.cells_of_part > 0 ? std::to_string(options.cells_of_part) : "",
-	    options.choose_parts ? "ask" : options.parts,
+	    options.keeps_in_runs ? "places" : options.parts,
 	    sandbox,
 	    followArgument(options.follow),
 	    options.stays_above ? std::to_string(*options.stays_above) : "",
@@ -246,16 +241,7 @@ Result<ReaderAtWork> ReaderAtWork::start(const std::string& file, const ReadOpti
                                          const Descriptor& requests)
 {
 	ReaderAtWork reader(file, options, limits);
-	RequestEnds ends;
-	if (options.choose_parts)
-	{
-		Result<RequestEnds> made = requestEnds(file);
-		if (!made)
-			return made.error();
-		ends = std::move(*made);
-		reader.requests_ = std::move(ends.own);
-	}
-	if (const Status started = reader.started(ends.childs ? ends.childs : requests); !started)
+	if (const Status started = reader.started(requests); !started)
 		return started.error();
 	return reader;
 }
@@ -337,47 +323,11 @@ Status ReaderAtWork::answer(std::span<std::byte> to)
 	return Nothing{};
 }
 
-// Answers the child if it asks for parts. Returns what it has written of its manifest.
-Result<std::string> ReaderAtWork::chooseParts()
-{
-	std::string begin(kPartsMark.size(), '\0');
-	if (Status answered = answer(std::as_writable_bytes(std::span(begin))); !answered)
-		return answered.error();
-	if (begin != kPartsMark)
-		return begin;
-	std::array<std::uint64_t, 2> sizes{};
-	if (Status answered = answer(std::as_writable_bytes(std::span(sizes))); !answered)
-		return answered.error();
-	if (sizes[0] > kMaxPackText || sizes[1] > kMaxPackParts)
-		return Error{ErrorKind::input, fmt::format("{}: truncated or damaged: it has too many parts", file_)};
-	std::string text(sizes[0], '\0');
-	std::vector<std::array<double, 6>> boxes(sizes[1]);
-	Status answered = answer(std::as_writable_bytes(std::span(text)));
-	if (answered)
-		answered = answer(std::as_writable_bytes(std::span(boxes)));
-	if (!answered)
-		return answered.error();
-	const Result<PackedGrid> grid = checkPackedGrid(text, std::move(boxes));
-	if (!grid)
-		return unusable(file_, grid.error());
-	const auto chosen = options_.choose_parts(*grid);
-	if (chosen && !writeWhole(cells_, std::as_bytes(std::span(*chosen))))
-		return Error{ErrorKind::out_of_memory,
-		             fmt::format("{}: there is no memory for the list of its parts; make room", file_)};
-	const std::uint64_t count = chosen ? chosen->size() : kAllParts;
-	send(requests_.get(), &count, sizeof(count), MSG_NOSIGNAL); // to a child that has ended: the answer tells
-	return std::string();
-}
-
 Result<HandedOver> ReaderAtWork::finish()
 {
 	reader_->startAnew(limits_.time); // it may have waited for us before
-	Result<std::string> begin = options_.choose_parts ? chooseParts() : Result<std::string>(std::string());
-	if (!begin)
-		return begin.error();
 	if (!reader_->finish(options_.stop))
 		return notInTime();
-	reader_->manifest.insert(0, *begin);
 	if (!WIFEXITED(reader_->status) || WEXITSTATUS(reader_->status) != 0)
 		return explain(file_, *reader_, isShortOfMemory(limits_, std::min(memory_, file_size_)), memory_,
 		               options_.convert_to);

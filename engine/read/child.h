@@ -40,7 +40,6 @@ public:
 private:
 	ReaderAtWork(const std::string& file, const ReadOptions& options, const InputLimits& limits);
 	Status started(const Descriptor& requests);
-	Result<std::string> chooseParts();
 	Error notInTime() const;
 
 	std::string file_;
@@ -50,8 +49,7 @@ private:
 	rlim_t file_size_ = 0;
 	Descriptor arrays_;
 	Descriptor cells_;
-	Descriptor requests_; // to a child that asks for parts
-	Descriptor life_;     // the child is killed when it closes
+	Descriptor life_; // the child is killed when it closes
 	std::unique_ptr<Reader> reader_;
 };
 

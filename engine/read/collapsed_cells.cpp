@@ -100,6 +100,27 @@ Corners cornersOfCell(const grid::CellList& cells, std::size_t cell, std::span<c
 }
 
 template <class Id>
+bool isBent(const grid::CellList& cells, std::size_t cell, std::span<const Id> ids)
+{
+	const std::uint8_t type = cells.types[cell];
+	return canCollapse(type) && mayBeBent(type, ids.data() + cells.start(cell)) &&
+	       isBentTetrahedron(grid::shapeOf(type), cornersOfCell(cells, cell, ids));
+}
+
+// Brings the corners of such a cell into the order in which its faces are those of the tetrahedron.
+template <class Id>
+void orderCell(const grid::CellList& cells, std::size_t cell, std::span<Id> ids)
+{
+	const CellShape shape = grid::shapeOf(cells.types[cell]);
+	const std::span places = std::span(kOwnOrder).first(static_cast<std::size_t>(grid::topology(shape).points));
+	Corners distinct{};
+	distinctCorners(cornersOfCell(cells, cell, std::span<const Id>(ids)), places, distinct);
+	for (const std::uint8_t place : places)
+		ids[cells.start(cell) + orderOf(cells.types[cell])[place]] =
+		    static_cast<Id>(distinct[tetrahedronOrder(shape)[place]]);
+}
+
+template <class Id>
 std::vector<std::size_t> bentTetrahedra(const grid::CellList& cells, std::span<const Id> ids)
 {
 	tbb::combinable<std::vector<std::size_t>> found;
@@ -108,11 +129,7 @@ std::vector<std::size_t> bentTetrahedra(const grid::CellList& cells, std::span<c
 	            {
 		            for (std::size_t c = range.begin(); c < range.end(); ++c)
 		            {
-			            const std::uint8_t type = cells.types[c];
-			            if (!canCollapse(type))
-				            continue;
-			            if (mayBeBent(type, ids.data() + cells.start(c)) &&
-			                isBentTetrahedron(grid::shapeOf(type), cornersOfCell(cells, c, ids)))
+			            if (isBent(cells, c, ids))
 				            found.local().push_back(c);
 		            }
 	            });
@@ -135,19 +152,18 @@ void orderCollapsed(grid::CellList& cells)
 			return grid::IdArray();
 		std::vector<Id> copy(ids.begin(), ids.end());
 		for (const std::size_t cell : bent)
-		{
-			const CellShape shape = grid::shapeOf(cells.types[cell]);
-			const std::span places = std::span(kOwnOrder).first(static_cast<std::size_t>(grid::topology(shape).points));
-			Corners distinct{};
-			distinctCorners(cornersOfCell(cells, cell, ids), places, distinct);
-			for (const std::uint8_t place : places)
-				copy[cells.start(cell) + orderOf(cells.types[cell])[place]] =
-				    static_cast<Id>(distinct[tetrahedronOrder(shape)[place]]);
-		}
+			orderCell(cells, cell, std::span(copy));
 		return grid::IdArray(std::move(copy));
 	};
 	if (grid::IdArray made = cells.connectivity.as(ordered); made.size() > 0)
 		cells.connectivity = std::move(made);
+}
+
+void orderCollapsed(const grid::CellList& cells, std::size_t begin, std::size_t end, std::span<std::int32_t> ids)
+{
+	for (std::size_t c = begin; c < end; ++c)
+		if (isBent(cells, c, std::span<const std::int32_t>(ids)))
+			orderCell(cells, c, ids);
 }
 
 } // namespace vp::read

@@ -2,6 +2,10 @@
 
 #include "grid/cell_list.h"
 
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
 namespace vp::read
 {
 
@@ -10,5 +14,7 @@ namespace vp::read
 /// corners of such cells into the order n1 n2 n3 n3 n4 n4 n4 n4, whose faces are those of the tetrahedron. Copies the
 /// connectivity if there is such a cell. Precondition: checkCells().
 void orderCollapsed(grid::CellList& cells);
+/// The same for some of the cells, in place. ids: their connectivity.
+void orderCollapsed(const grid::CellList& cells, std::size_t begin, std::size_t end, std::span<std::int32_t> ids);
 
 } // namespace vp::read

@@ -6,6 +6,7 @@
 #include "read/check_mesh.h"
 #include "read/collapsed_cells.h"
 #include "read/manifest_values.h"
+#include "read/packed_block.h"
 #include "read/placed_cells.h"
 #include "read/protocol.h"
 #include "read/stored_array.h"
@@ -183,27 +184,6 @@ private:
 		return latticeOf({countOf(points[0]), countOf(points[1]), countOf(points[2])});
 	}
 
-	// The whole that a block of so many cells is read from, in parts.
-	std::shared_ptr<const grid::WholeGrid> wholeOf(const json& pack, std::size_t cells) const
-	{
-		grid::WholeGrid whole;
-		whole.points = countOf(pack.at("points"));
-		whole.cells = countOf(pack.at("cells"));
-		const json& ends = pack.at("bounds");
-		for (std::size_t axis = 0; axis < 3; ++axis)
-		{
-			whole.bounds.lo[static_cast<int>(axis)] = finiteOf(ends.at(axis));
-			whole.bounds.hi[static_cast<int>(axis)] = finiteOf(ends.at(axis + 3));
-		}
-		whole.parts.all = countOf(pack.at("parts"));
-		whole.parts.kept = whole.parts.met = whole.parts.read = countOf(pack.at("parts_read"));
-		whole.parts.bytes_met = whole.parts.bytes_read = countOf(pack.at("bytes_read"));
-		whole.cell_numbers = numbersOf<std::int64_t>(cells_, pack.at("numbers"), NumberType::int64, cells);
-		if (whole.bounds.empty() || whole.parts.read > whole.parts.all)
-			throw Unusable("parts of a grid are more than the whole");
-		return std::make_shared<const grid::WholeGrid>(std::move(whole));
-	}
-
 	// Sets the mesh, and how many tuples its point and cell arrays have.
 	void checkMesh(const json& block, CheckedBlock& checked, std::uint64_t& points, std::uint64_t& cells)
 	{
@@ -220,7 +200,12 @@ private:
 			}
 			const std::size_t unplaced = leaveOutUnplaced(mesh);
 			if (block.contains("pack"))
-				checked.whole = wholeOf(block.at("pack"), mesh.cells.size());
+			{
+				grid::WholeGrid whole = wholeOf(block.at("pack"));
+				whole.cell_numbers = numbersOf<std::int64_t>(cells_, block.at("pack").at("numbers"), NumberType::int64,
+				                                             mesh.cells.size());
+				checked.whole = std::make_shared<const grid::WholeGrid>(std::move(whole));
+			}
 			unplaced_ += checked.whole ? countOf(block.at("pack").at("cells_without_place")) : unplaced;
 			checked.mesh = std::move(mesh);
 			return;
@@ -265,19 +250,24 @@ private:
 		std::uint64_t points = 0;
 		std::uint64_t cells = 0;
 		checked.name = wordsOf(block.at("name"));
+		if (block.at("kind") == "packed")
+		{
+			takePackedBlock(block, arrays_, files_, checked);
+			unplaced_ += countOf(block.at("pack").at("cells_without_place"));
+			return checked;
+		}
 		checkMesh(block, checked, points, cells);
 		for (const json& array : block.at("arrays"))
 		{
+			if (array.contains("left_out"))
+			{
+				checked.arrays_left_out.push_back(leftOutName(array));
+				continue;
+			}
 			grid::Field field;
 			field.name = wordsOf(array.at("name"));
 			field.units = wordsOf(array.value("units", json("")));
 			field.association = associationOf(array.at("association"));
-			if (array.contains("left_out"))
-			{
-				checked.arrays_left_out.push_back(
-				    fmt::format("{}:{}", grid::associationName(field.association), field.name));
-				continue;
-			}
 			field.components = componentsOf(array.at("components"), field.name);
 			field.type = numberTypeOf(array.at("type").get<std::string>());
 			if (array.contains("stored"))

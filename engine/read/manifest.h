@@ -42,9 +42,10 @@ struct CheckedBlock
 	std::vector<grid::Field> fields;
 	std::string length_units{};
 	grid::Imaging imaging{};
-	std::optional<grid::Lattice> hidden_lattice; // see grid::Block
-	std::vector<std::string> arrays_left_out{};  // likewise
-	std::shared_ptr<const grid::WholeGrid> whole{};
+	std::optional<grid::Lattice> hidden_lattice;    // see grid::Block
+	std::vector<std::string> arrays_left_out{};     // likewise
+	std::shared_ptr<const grid::WholeGrid> whole{}; // likewise, as runs
+	std::shared_ptr<grid::CellRuns> runs{};
 	std::size_t part = 0; // index of the input's part, if parts were asked for
 };
 

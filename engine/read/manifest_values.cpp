@@ -104,6 +104,12 @@ json parsedManifest(std::string_view text)
 	return json::parse(text, limited);
 }
 
+std::string leftOutName(const json& array)
+{
+	return fmt::format("{}:{}", grid::associationName(associationOf(array.at("association"))),
+	                   wordsOf(array.at("name")));
+}
+
 std::shared_ptr<const grid::ArrayFacts> factsOf(const json& facts, int components)
 {
 	auto found = std::make_shared<grid::ArrayFacts>();

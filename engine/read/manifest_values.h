@@ -35,6 +35,9 @@ grid::Association associationOf(const nlohmann::json& value);
 // name: of the array, for the message.
 int componentsOf(const nlohmann::json& value, const std::string& name);
 
+// Returns "point:NAME" or "cell:NAME" of an array that nobody asked for.
+std::string leftOutName(const nlohmann::json& array);
+
 // Returns what a pack says of all values of an array.
 std::shared_ptr<const grid::ArrayFacts> factsOf(const nlohmann::json& facts, int components);
 

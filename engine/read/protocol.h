@@ -17,10 +17,10 @@ namespace vp::read
 // "*" for all, "^" for the default array, "=" and a name for one. FORMAT: a name of format_table.inl, or empty. RAW:
 // the layout of a raw volume (rawText()), or empty. TARGET and FOLDER: of convert(), or empty; the child writes into
 // this folder and nowhere else. PACK: the most cells of a part of it, where it is written in parts; else empty. PARTS:
-// empty for all, "?" to list them, "ask" to be asked (below), or their numbers with commas between; behind numbers and
-// "?", "/" and into how many slabs a lattice comes apart that is alone in its file. SANDBOX: auto, require or off.
-// FOLLOW: folders with files that the input may name, one a line, or "anywhere". STAYS: arrays of more bytes than this
-// may stay in the file; empty if none may. UNPACK: empty, see below. LEVEL: of images at
+// empty for all, "?" to list them, "places" to leave the cells of a pack in the file (below), or their numbers with
+// commas between; behind numbers and "?", "/" and into how many slabs a lattice comes apart that is alone in its file.
+// SANDBOX: auto, require or off. FOLLOW: folders with files that the input may name, one a line, or "anywhere". STAYS:
+// arrays of more bytes than this may stay in the file; empty if none may. UNPACK: empty, see below. LEVEL: of images at
 // several resolutions, 0 the finest. SLICE: where several files are the slices of one volume, all of them in their
 // order; FILE is the first. The child writes arrays into two
 // shared memories, each array at a multiple of kArrayAlignment. kCellsFd gets the points and cells of unstructured
@@ -60,25 +60,23 @@ namespace vp::read
 // two zeros. The parts go to kArraysFd, one behind the other from its beginning, and when all are there, their number
 // as a uint64 to kManifestFd.
 //
-// With PARTS "ask", a child that reads a pack asks which parts are wanted, before its manifest. It writes kPartsMark,
-// two uint64 (bytes of a JSON text, and parts), the text, and the box of each part as six float64, lo and hi. The text
-// is {"points", "cells", "arrays": as in a block, without places}. The answer is the number of parts as a uint64 on
-// standard input, kAllParts for all; kCellsFd then has their numbers as uint64, ascending. Other files are read as if
-// PARTS was empty.
-//
 // A block of a pack has a "pack": {"points", "cells" that are seen, "cells_without_place", "bounds": [x, y, z of both
 // ends], "parts", "parts_read", "bytes_read", "numbers": array of int64 in kCellsFd, the number in the packed file of
-// each cell}. Its arrays have "facts" on the values in all parts (grid::ArrayFacts): {"tuples", "spans": [[lo, hi,
-// whether there is -inf, +inf] ..], lo and hi null if no value is finite, "values": [..], "changes": [all, to the next
-// value]}.
-constexpr int kProtocolVersion = 17;
+// each cell}. Its arrays have "facts" on all values (grid::ArrayFacts): {"tuples", "spans": [[lo, hi, whether there is
+// -inf, +inf] ..], lo and hi null if no value is finite, "values": [..], "changes": [all, to the next value]}.
+//
+// With PARTS "places", the block of a pack whose lists lie in the file as they are in memory is of kind "packed". It
+// has "file", "type" of all cells or 0, "type_of_points", "runs": {"boxes": array of float64, lo and hi of each, and as
+// arrays of uint64 "cells", "ids", "parts"}, and for each part as arrays of uint64 "part_cells" and "part_points". What
+// else it would have stays in the file: "lists" has the offsets of "points", "point_numbers", "ids", "cell_numbers",
+// and of "types" and "ends" where "type" is 0 (docs/FORMATS.md); each of the "arrays" has an "offset" and no "bytes",
+// and "pack" has no "numbers". Other files are read as if PARTS was empty.
+constexpr int kProtocolVersion = 18;
 constexpr int kArraysFd = 3;
 constexpr int kManifestFd = 4;
 constexpr int kCellsFd = 5;
 constexpr int kCountsFd = 6; // the child's own: /proc/self/io, which its sandbox does not let it open later
 constexpr int kLifeFd = 7;   // a pipe of which the parent holds the other end; the child is killed when that closes
-constexpr std::string_view kPartsMark = "vparts?\n"; // no manifest begins with it
-constexpr std::uint64_t kAllParts = ~std::uint64_t(0);
 constexpr std::size_t kArrayAlignment = 64;
 // A part of an array that stays in the file may not be larger.
 constexpr std::uint64_t kMaxPartBytes = std::uint64_t(1) << 28;

@@ -174,6 +174,8 @@ void addSet(grid::BlockSet set, grid::BlockSet& all)
 // Adds what a set of several inputs still lacks: neighbors and seams, if they are wanted.
 void completeSet(grid::BlockSet& all, const ReadOptions& options, Timeline* timeline)
 {
+	if (grid::lacksParts(all))
+		return;
 	const bool all_listed =
 	    std::ranges::none_of(all.blocks, [](const grid::Block& block) { return grid::hasNeighbors(block); });
 	const bool refines = std::ranges::any_of(all.blocks, [](const grid::Block& b) { return b.curved != nullptr; });

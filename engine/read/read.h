@@ -2,7 +2,6 @@
 
 #include "base/result.h"
 #include "grid/block.h"
-#include "read/packed_grid.h"
 #include "read/raw_layout.h"
 #include "read/read_warning.h"
 #include "read/tolerance.h"
@@ -87,8 +86,9 @@ struct ReadOptions
 	// The parts of a file to read, as their numbers in PartList with commas between; empty: all. "?" reads none and
 	// only lists them.
 	std::string parts{};
-	// Called for a pack before its parts are read: the parts to read, or nothing for all. All are read without it.
-	ChooseParts choose_parts{};
+	// The cells of a pack stay in its file if they lie there unpacked, and are read in runs (grid::Block::runs). Only
+	// for one input.
+	bool keeps_in_runs = false;
 	// Number of slabs into which a lattice is split if it is alone in its file. Each slab is a part. Use the same
 	// number to list parts and to read them.
 	int slabs = 1;

@@ -1,6 +1,5 @@
 #include "read/stored_array.h"
 
-#include "parts/file_extents.h"
 #include "read/check_mesh.h"
 #include "read/formats.h"
 #include "read/manifest_values.h"
@@ -93,15 +92,19 @@ bool mayBeRead(const std::string& name, const ReadableFiles& files)
 
 } // namespace
 
+std::shared_ptr<const parts::OpenFile> openedFile(const std::string& name, const ReadableFiles& files)
+{
+	if (files.input.empty() || !mayBeRead(name, files))
+		throw Unusable("an array stays in a file that the reader may not read");
+	return std::make_shared<const parts::OpenFile>(name);
+}
+
 std::shared_ptr<const parts::PartStore> storedArray(const json& place, const grid::Field& field,
                                                     const decltype(CheckedBlock::mesh)& mesh, const SharedBytes& arrays,
                                                     const ReadableFiles& files)
 {
 	const parts::Layout layout = layoutOf(place, field, pointsOf(mesh));
-	const auto name = place.at("file").get<std::string>();
-	if (files.input.empty() || !mayBeRead(name, files))
-		throw Unusable("an array stays in a file that the reader may not read");
-	const auto file = std::make_shared<const parts::OpenFile>(name);
+	const auto file = openedFile(place.at("file").get<std::string>(), files);
 	const auto listOf = [&](const char* name)
 	{ return numbersOf<std::uint64_t>(arrays, place.at(name), grid::NumberType::uint64, layout.partCount()); };
 	const auto fill = [&]

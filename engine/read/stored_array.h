@@ -1,6 +1,7 @@
 #pragma once
 
 #include "grid/field.h"
+#include "parts/file_extents.h"
 #include "read/manifest.h"
 #include "read/mapping.h"
 
@@ -18,6 +19,10 @@ struct ReadableFiles
 	std::string input;
 	std::string follow; // as followArgument() gives it
 };
+
+// Opens a file in which data stay. Throws Unusable if the child could not read it, and parts::Unreadable if it cannot
+// be opened.
+std::shared_ptr<const parts::OpenFile> openedFile(const std::string& name, const ReadableFiles& files);
 
 // Returns the array of a lattice that stays in its file, whose place the manifest describes (protocol.h). Checks that
 // all of its parts lie within the file, which must be one of `files`. Throws

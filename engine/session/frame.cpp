@@ -57,6 +57,7 @@ void addFigures(const Session& session, Wants::Figures wanted, const std::vector
 Result<std::shared_ptr<const Frame>> Session::frame(const FrameRequest& request, std::stop_token stop)
 try
 {
+	const parts::Stoppable reading(stop);
 	if (Status ready = prepareFor(request, stop); !ready)
 		return ready.error();
 	expected_ = request.expect;
@@ -66,7 +67,6 @@ try
 	    last->made_for.wants == request.wants)
 		return request.last;
 
-	const parts::Stoppable reading(stop);
 	grid::startCountingParts(blocks_);
 	auto frame = std::make_shared<Frame>();
 	frame->made_for = request;

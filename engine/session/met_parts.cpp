@@ -1,29 +1,17 @@
 #include "session/met_parts.h"
 
+#include "base/progress.h"
+#include "base/timeline.h"
+#include "parts/kept_parts.h"
 #include "session/session.h"
 #include "surface/curved.h"
 
 #include <algorithm>
-#include <functional>
+#include <iterator>
 
 namespace vp::session
 {
 
-namespace
-{
-
-// A block without cells in place of a grid that is still in its file.
-grid::BlockSet standIn(const read::PackedGrid& packed)
-{
-	grid::BlockSet set;
-	grid::Block& block = set.blocks.emplace_back();
-	block.grid = grid::UnstructuredGrid::listed({}, {});
-	block.fields = packed.fields;
-	block.bounds = packed.bounds();
-	return set;
-}
-
-// Returns true if the settings look at nothing but cells that the sheets meet, where they are in the file.
 bool looksAtCutAlone(const view::ViewSpec& spec)
 {
 	return meetsFewValues(spec) && !needsNeighbors(spec) && !spec.input.displace && spec.input.displace_by.empty() &&
@@ -31,48 +19,59 @@ bool looksAtCutAlone(const view::ViewSpec& spec)
 	       spec.machine.classify != view::Classify::gpu;
 }
 
-using Meets = std::function<bool(const Box&)>;
-
-Meets meetsOf(const probe::Sheet& placed)
+std::vector<std::uint32_t> runsMet(const grid::CellRuns& runs, const probe::Probe& probe)
 {
-	if (!placed.form)
-		return [plane = probe::content(placed).plane()](const Box& box) { return plane.meets(box); };
-	const surface::BlockSurface surface =
-	    std::visit([](auto&& curved) { return surface::BlockSurface(curved); }, placed.form->placed(placed.axes()));
-	return [surface](const Box& box) { return surface.meets(box); };
+	std::vector<std::uint32_t> met;
+	for (const probe::Sheet& placed : probe::placed(probe).sheets)
+	{
+		const auto meeting = [&]
+		{
+			if (!placed.form)
+				return runs.meeting(probe::content(placed).plane());
+			return std::visit([&](auto&& curved) { return runs.meeting(surface::BlockSurface(curved)); },
+			                  placed.form->placed(placed.axes()));
+		};
+		std::vector<std::uint32_t> joined;
+		std::ranges::set_union(met, meeting(), std::back_inserter(joined));
+		met = std::move(joined);
+	}
+	return met;
 }
 
-} // namespace
-
-std::optional<std::vector<std::uint64_t>> metParts(const view::ViewSpec& spec, const read::PackedGrid& grid)
+// Reads what the frame needs of cells that are still in their file: those that it meets, or all.
+Status Session::readParts(const FrameRequest& request)
 {
-	if (!looksAtCutAlone(spec))
-		return std::nullopt;
-	const grid::BlockSet whole = standIn(grid);
-	const Result<view::ResolvedView> view = view::resolve(spec, whole);
-	if (!view)
-		return std::nullopt;
-	const probe::Probe placed = probe::placed(view->probe);
-	const find::PlanRequest request{.sheets = placed.sheets,
-	                                .seed_mode = view->seeds.mode,
-	                                .looks_for_hot_spot = view->seeds.outside != seed::OutsidePolicy::nearest,
-	                                .strategy = spec.machine.strategy};
-	const Result<find::CutPlan> plan = find::planCut(request, whole, nullptr);
-	const auto isScan = [](const std::vector<find::BlockPlan>& of_sheet)
-	{ return of_sheet.front().strategy == find::Strategy::scan; };
-	if (!plan || !std::ranges::all_of(plan->sheets, isScan))
-		return std::nullopt;
-	std::vector<Meets> sheets;
-	for (const probe::Sheet& sheet : placed.sheets)
-		sheets.push_back(meetsOf(sheet));
-	std::vector<std::uint64_t> met;
-	for (std::size_t part = 0; part < grid.parts.size(); ++part)
-		if (!grid.parts[part].empty() &&
-		    std::ranges::any_of(sheets, [&](const Meets& meets) { return meets(grid.parts[part]); }))
-			met.push_back(part);
-	if (met.empty())
-		met.push_back(0);
-	return met;
+	const Result<bool> lacks = needsNeighborsFor(request);
+	if (!lacks)
+		return lacks.error();
+	if (*lacks || !looksAtCutAlone(spec_))
+		return readAllParts();
+	const TimedSection section(timeline_.get(), "read");
+	for (grid::Block& block : blocks_.blocks)
+	{
+		if (!block.runs)
+			continue;
+		block.runs->startCounting();
+		const std::vector<std::uint32_t> met = runsMet(*block.runs, cutRequest(request).probe);
+		if (block.runs->bytesAfter(met) > parts::KeptParts::ofProcess().budget())
+		{
+			block.runs->letGo();
+			++stamp_.cells; // what earlier frames name may be gone
+		}
+		block.runs->fetch(met);
+	}
+	return Nothing{};
+}
+
+Status Session::readAllParts()
+{
+	const Progress progress("reading all parts");
+	const TimedSection section(timeline_.get(), "read");
+	for (grid::Block& block : blocks_.blocks)
+		if (block.runs)
+			block.runs->startCounting();
+	grid::readAllParts(blocks_);
+	return Nothing{};
 }
 
 } // namespace vp::session

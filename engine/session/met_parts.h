@@ -1,18 +1,19 @@
 #pragma once
 
-#include "read/packed_grid.h"
+#include "grid/cell_runs.h"
+#include "probe/probe.h"
 #include "view/view_spec.h"
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace vp::session
 {
 
-/// Returns the parts of a packed grid (read/packed_grid.h) that the only frame by these settings meets, at least one.
-/// Returns nothing if the frame needs all of them: if it looks beyond the cut cells, or at neighbors, or if the
-/// settings do not fit the grid.
-std::optional<std::vector<std::uint64_t>> metParts(const view::ViewSpec& spec, const read::PackedGrid& grid);
+/// Returns true if frames by the settings look at nothing but cells that the sheets meet, where they are in the file.
+bool looksAtCutAlone(const view::ViewSpec& spec);
+
+/// Returns the numbers of the runs that some sheet of a probe may meet, ascending.
+std::vector<std::uint32_t> runsMet(const grid::CellRuns& runs, const probe::Probe& probe);
 
 } // namespace vp::session

@@ -113,7 +113,7 @@ Result<grid::BlockSet> readFacts(const view::ViewSpec& spec)
 	read::ReadOptions reading = readOptions(spec, spec.input.time);
 	reading.patches = true;
 	if (spec.input.files.size() == 1 && !spec.input.displace && spec.input.displace_by.empty())
-		reading.choose_parts = [](const read::PackedGrid&) { return std::optional(std::vector<std::uint64_t>{0}); };
+		reading.keeps_in_runs = true;
 	return readInputs(spec, std::move(reading));
 }
 
@@ -150,8 +150,8 @@ Result<grid::BlockSet> Session::readBlocks(const OpenOptions& options)
 		                   ? std::min(kept.budget(), kStaysAbove)
 		                   : kept.budget();
 	reading.stays_above = stays_above_;
-	if (options.ranks.holdsAll() && options.one_frame && inputs_.size() == 1)
-		reading.choose_parts = [this](const read::PackedGrid& grid) { return metParts(spec_, grid); };
+	reading.keeps_in_runs =
+	    options.ranks.holdsAll() && options.frames_alone && inputs_.size() == 1 && looksAtCutAlone(spec_);
 	const bool needs_neighbors = options.expect == Expect::more || needsNeighbors(spec_);
 	reading.builds_neighbors = needs_neighbors && options.ranks.buildsWhileReading();
 	reading.for_one_cut = !needs_neighbors && options.expect == Expect::one_cut && servesOneCut(spec_);

@@ -95,9 +95,7 @@ struct OpenOptions
 	bool reads_all_arrays = true; // read all arrays, not only those that are shown
 	bool one_cut_a_time = false;  // each time of the inputs is cut once
 	bool time_may_change = true;  // goTo() may be called: it keeps the grid if that is the same at the other time
-	// One frame alone will be asked for, by the settings as they are: of a grid in parts (`vprobe pack`), those are
-	// read that it meets.
-	bool one_frame = false;
+	bool frames_alone = false;    // nobody looks at cells or values but by frames: a pack is read where they lie
 	Timeline::Keep keep = Timeline::Keep::totals;
 	std::shared_ptr<gpu::Device> device{};      // an open device; null opens the device of the settings
 	std::vector<std::string> follow{};          // for ReadOptions::follow
@@ -216,6 +214,8 @@ private:
 	Status makeCutter();
 	Status buildNeighborsOfCopy();
 	Status prepareFor(const FrameRequest& request, const std::stop_token& stop);
+	Status readParts(const FrameRequest& request);
+	Status readAllParts();
 	const Frame* usableLast(const FrameRequest& request) const;
 	Result<cut::Cut> find(const FrameRequest& request, const Frame* last, const std::stop_token& stop);
 	Result<cut::Cut> cut(const FrameRequest& request, std::shared_ptr<const cut::Cut> last, std::stop_token stop);
@@ -252,8 +252,8 @@ std::uint64_t memoryForParts(const view::ViewSpec& spec);
 /// Reads the inputs of the settings at their time, as a session does, with all neighbors.
 Result<grid::BlockSet> readInputs(const view::ViewSpec& spec);
 
-/// Reads the inputs for what there is to tell of them: with named parts of the boundary, but of a packed grid, whose
-/// file tells the rest, one part alone (grid::lacksParts).
+/// Reads the inputs for what there is to tell of them: with named parts of the boundary, but without the cells of a
+/// pack, whose file tells the rest (grid::lacksParts).
 Result<grid::BlockSet> readFacts(const view::ViewSpec& spec);
 
 /// Returns true if the settings need neighbors, whatever a plan says: for whole cells, vectors, grid surfaces,

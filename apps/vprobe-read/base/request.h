@@ -42,7 +42,7 @@ struct Request
 	std::string sandbox = "off";                   // auto, require or off
 	std::vector<std::string> follow;               // folders with files that the input may name, or "anywhere"
 	std::string parts;                             // those to hand over, see PartFilter; mostly empty
-	bool asks_for_parts = false;                   // the parent chooses the parts of a pack, see parent.h
+	bool wants_places = false;                     // the parent reads the cells of a pack by itself
 	char** arguments = nullptr;                    // as the process was started with them
 
 	// Returns true if so many bytes of values may stay in the file.

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ public:
 	std::size_t rowBytes() const { return components() * grid::byteSize(type_); }
 	grid::NumberType type() const { return type_; }
 
+	// Returns where they begin in the file, if they lie there one behind the other as they are in memory.
+	std::optional<std::uint64_t> plainOffset() const { return offset_; }
 	// Asks the system for rows that will be read soon.
 	void askFor(std::uint64_t first, std::uint64_t count) const;
 	// Reads `count` rows. Any thread may call it. Throws a Refusal if they are not there.

@@ -188,12 +188,7 @@ void Writer::addPack(vtkUnstructuredGrid* grid, json facts, std::span<const std:
 	if (blocks_.size() == before)
 		return;
 	json& block = blocks_.back();
-	// The whole counts, whichever parts were read.
-	counts_.flat = facts.at("flat_cells").get<std::size_t>();
-	counts_.hidden = facts.at("hidden_cells").get<std::size_t>();
-	const json of_arrays = std::exchange(facts["arrays"], {});
-	for (const char* told : {"arrays", "flat_cells", "hidden_cells"})
-		facts.erase(told);
+	const json of_arrays = takePackCounts(facts);
 	for (json& array : block["arrays"])
 		if (const std::string key =
 		        fmt::format("{}:{}", array.at("association").get<std::string>(), array.at("name").get<std::string>());
@@ -201,6 +196,31 @@ void Writer::addPack(vtkUnstructuredGrid* grid, json facts, std::span<const std:
 			array["facts"] = of_arrays.at(key);
 	facts["numbers"] = arrays::writeInt64(cell_writer_, numbers);
 	block["pack"] = std::move(facts);
+}
+
+// Takes what is told elsewhere out of the facts. Returns those about arrays.
+json Writer::takePackCounts(json& facts)
+{
+	counts_.flat = facts.at("flat_cells").get<std::size_t>();
+	counts_.hidden = facts.at("hidden_cells").get<std::size_t>();
+	json of_arrays = std::exchange(facts["arrays"], {});
+	for (const char* told : {"arrays", "flat_cells", "hidden_cells"})
+		facts.erase(told);
+	return of_arrays;
+}
+
+bool Writer::addPackInPlace(const DescribePlaces& describe, json facts)
+{
+	std::optional<json> block = describe(writer_);
+	if (!block || displacement_.isOn())
+		return false;
+	takePackCounts(facts);
+	(*block)["pack"] = std::move(facts);
+	for (json& array : left_out_)
+		(*block)["arrays"].push_back(std::move(array));
+	left_out_ = json::array();
+	addBlock("", std::move(*block));
+	return true;
 }
 
 void Writer::addImageOf(vtkImageData* piece, const std::array<int, 3>& first)

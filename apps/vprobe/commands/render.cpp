@@ -88,7 +88,7 @@ Result<ExitCode> runRender(RenderOptions& options)
 	if (Status ready = prepare(options.common); !ready)
 		return ready.error();
 	session::OpenOptions how{
-	    .expect = session::Expect::one_cut, .reads_all_arrays = false, .time_may_change = false, .one_frame = true};
+	    .expect = session::Expect::one_cut, .reads_all_arrays = false, .time_may_change = false, .frames_alone = true};
 	if (options.common.explain)
 		return explain(spec, how);
 	const bool tells_place = options.output.empty() && options.expect.empty() && options.stats != "-";

@@ -159,7 +159,7 @@ Result<ExitCode> runSlice(const SliceOptions& options, const CLI::App& command)
 	const session::OpenOptions how{.expect = session::Expect::one_cut,
 	                               .reads_all_arrays = !pictures,
 	                               .time_may_change = false,
-	                               .one_frame = true,
+	                               .frames_alone = true,
 	                               .ranks = processes()};
 	if (Status fits = checkProcesses(options); !fits)
 		return fits.error();

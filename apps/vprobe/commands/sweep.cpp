@@ -129,7 +129,8 @@ Result<ExitCode> runSweep(const SweepOptions& options)
 	// Polygons are written with every array.
 	session::OpenOptions how{.expect = session::Expect::first_of_many,
 	                         .reads_all_arrays = options.exports(),
-	                         .one_cut_a_time = spec.sweep.over_times};
+	                         .one_cut_a_time = spec.sweep.over_times,
+	                         .frames_alone = true};
 	how.ranks = processes();
 	if (options.common.explain)
 		return explain(spec, how);

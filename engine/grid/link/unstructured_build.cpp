@@ -229,6 +229,16 @@ UnstructuredGrid UnstructuredGrid::listed(Points points, CellList cells)
 	return grid;
 }
 
+UnstructuredGrid UnstructuredGrid::listedInRuns(Points points, CellList cells)
+{
+	UnstructuredGrid grid;
+	grid.cell_count_ = grid.source_cell_count_ = cells.size();
+	grid.used_points_ = grid.source_point_count_ = points.size();
+	grid.points_ = std::move(points);
+	grid.list_ = std::make_shared<const CellList>(std::move(cells));
+	return grid;
+}
+
 UnstructuredGrid UnstructuredGrid::build(const Points& points, const CellList& cells, std::vector<FaceLink> links)
 {
 	if (!cells.has_checked_ids)

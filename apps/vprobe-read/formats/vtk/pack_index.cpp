@@ -63,10 +63,13 @@ std::uint64_t PackIndex::countOf(const char* name) const
 	return checkedCount(file_.realOr(kOwn, name, -1.0), name);
 }
 
-std::uint8_t PackIndex::onlyType() const
+std::uint8_t PackIndex::typeOfAll() const
 {
-	const double type = file_.realOr(kOwn, "CellType", 0.0);
-	return type > 0.0 && type < 256.0 ? static_cast<std::uint8_t>(type) : 0;
+	const double told = file_.realOr(kOwn, "CellType", 0.0);
+	const auto type = static_cast<std::uint8_t>(told > 0.0 && told < 256.0 ? told : 0.0);
+	const auto size = static_cast<std::uint64_t>(read::slicedCellSize(type));
+	const auto has_size = [size](const PackRun& run) { return run.ids == size * run.cells; };
+	return size > 0 && std::ranges::all_of(runs_, has_size) ? type : 0;
 }
 
 NumberType PackIndex::typeOfPoints() const
@@ -187,18 +190,6 @@ ChosenRuns PackIndex::chosen(std::span<const std::uint64_t> runs) const
 		chosen.ends.add(run.first_cell + run.part, run.cells + 1); // a part has one offset more than cells
 	}
 	return chosen;
-}
-
-std::string PackIndex::question() const
-{
-	json arrays = json::array();
-	for (const PackedArray& array : arrays_)
-		arrays.push_back({{"name", array.name},
-		                  {"association", array.association == "Point" ? "point" : "cell"},
-		                  {"type", grid::numberTypeName(array.type)},
-		                  {"components", array.components}});
-	return json{{"points", all_points_}, {"cells", all_cells_}, {"arrays", arrays}}.dump(
-	    -1, ' ', false, json::error_handler_t::replace);
 }
 
 // As the manifest has them (protocol.h).

@@ -57,8 +57,9 @@ public:
 	const std::vector<PackRun>& runs() const { return runs_; }
 	const std::vector<std::array<double, 6>>& boxes() const { return boxes_; } // one for each run
 	const std::vector<PackedArray>& arrays() const { return arrays_; }         // that are wanted
-	// Returns the type of all cells, or 0 if they have several, or one without a size.
-	std::uint8_t onlyType() const;
+	// Returns the type of all cells, or 0 if they have several, or another number of points than it should have.
+	std::uint8_t typeOfAll() const;
+	const VtkHdfParts& parts() const { return parts_; }
 
 	// A list of VTKHDF ("Points"), or one of ours ("vprobe/PointNumbers").
 	hdf5::Rows rowsOf(const std::string& list, grid::NumberType type, std::uint64_t components = 1) const;
@@ -67,8 +68,7 @@ public:
 	// runs: ascending.
 	ChosenRuns chosen(std::span<const std::uint64_t> runs) const;
 
-	// Return what the parent is told (protocol.h): before runs are chosen, and of a block that was read.
-	std::string question() const;
+	// Returns the "pack" of its block (protocol.h), with what manifest::Writer::addPack() wants beside it.
 	nlohmann::json facts(std::size_t runs_read, std::uint64_t bytes_read) const;
 
 private:

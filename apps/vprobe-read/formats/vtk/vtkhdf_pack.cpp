@@ -3,9 +3,9 @@
 #include "base/huge_vector.h"
 #include "pack_checks.h"
 #include "pack_index.h"
+#include "pack_places.h"
 #include "read/cell_types.h"
 #include "vprobe-read/arrays/value_image.h"
-#include "vprobe-read/base/parent.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/manifest/manifest_writer.h"
 #include "vprobe-read/quick/tasks.h"
@@ -50,13 +50,6 @@ public:
 
 	void read()
 	{
-		std::optional<std::vector<std::uint64_t>> chosen;
-		if (request_.asks_for_parts)
-			chosen = askForParts(index_.question(), index_.boxes());
-		if (chosen)
-			add(*chosen);
-		if (!manifest_.isEmpty())
-			return;
 		std::vector<std::uint64_t> all(index_.runs().size());
 		std::iota(all.begin(), all.end(), 0);
 		add(all);
@@ -190,7 +183,7 @@ private:
 		ends[0] = 0;
 		vtkNew<vtkUnsignedCharArray> types;
 		types->SetNumberOfValues(static_cast<vtkIdType>(chosen.cells.size()));
-		const std::uint8_t type = index_.onlyType();
+		const std::uint8_t type = index_.typeOfAll();
 		const auto size = static_cast<std::uint64_t>(read::slicedCellSize(type));
 		if (size > 0 && size * chosen.cells.size() == chosen.ids.size())
 		{
@@ -281,7 +274,11 @@ private:
 void readVtkHdfPack(const hdf5::File& file, const Request& request, const WantsVtkHdfArray& wants,
                     manifest::Writer& manifest)
 {
-	PackReader(PackIndex(file, wants), request, manifest).read();
+	const PackIndex index(file, wants);
+	const auto describe = [&](arrays::Writer& writer) { return describePlaces(index, file.name(), writer); };
+	if (request.wants_places && manifest.addPackInPlace(describe, index.facts(0, 0)))
+		return;
+	PackReader(index, request, manifest).read();
 }
 
 } // namespace vp::reader::vtk

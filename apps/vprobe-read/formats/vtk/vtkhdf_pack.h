@@ -24,8 +24,8 @@ bool isVtkHdfPack(const hdf5::File& file);
 using WantsVtkHdfArray = std::function<bool(const std::string& association, const std::string& name,
                                             grid::NumberType type, std::uint64_t components)>;
 
-// Reads a pack as one grid: all its parts, or those that the parent chooses. Points that several parts have become one
-// again, in the order of the packed file. Throws a Refusal.
+// Reads a pack as one grid, or hands over where its cells lie, if the parent wants them there and can read them. Points
+// that several parts have become one again, in the order of the packed file. Throws a Refusal.
 void readVtkHdfPack(const hdf5::File& file, const Request& request, const WantsVtkHdfArray& wants,
                     manifest::Writer& manifest);
 

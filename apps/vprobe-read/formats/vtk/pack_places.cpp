@@ -1,0 +1,96 @@
+#include "pack_places.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace vp::reader::vtk
+{
+
+using grid::NumberType;
+using nlohmann::json;
+
+namespace
+{
+
+json written(arrays::Writer& writer, std::span<const std::uint64_t> counts)
+{
+	return writer.write(NumberType::uint64, counts.data(), counts.size_bytes());
+}
+
+// Returns how many runs have cells that somebody sees, if these come first.
+std::optional<std::size_t> seenRuns(const PackIndex& index)
+{
+	const auto isSeen = [](const std::array<double, 6>& box) { return box[0] <= box[3]; };
+	const auto end = std::ranges::find_if_not(index.boxes(), isSeen);
+	if (std::any_of(end, index.boxes().end(), isSeen) || end == index.boxes().begin())
+		return std::nullopt;
+	return static_cast<std::size_t>(end - index.boxes().begin());
+}
+
+json describeRuns(const PackIndex& index, std::size_t count, arrays::Writer& writer)
+{
+	std::vector<std::uint64_t> cells, ids, parts;
+	for (const PackRun& run : std::span(index.runs()).first(count))
+	{
+		cells.push_back(run.cells);
+		ids.push_back(run.ids);
+		parts.push_back(run.part);
+	}
+	json boxes = writer.write(NumberType::float64, index.boxes().data(), count * sizeof(index.boxes()[0]));
+	return {{"boxes", std::move(boxes)},
+	        {"cells", written(writer, cells)},
+	        {"ids", written(writer, ids)},
+	        {"parts", written(writer, parts)}};
+}
+
+} // namespace
+
+std::optional<json> describePlaces(const PackIndex& index, const std::string& file, arrays::Writer& writer)
+{
+	const std::optional<std::size_t> runs = seenRuns(index);
+	if (!runs || index.allPoints() > std::numeric_limits<std::int32_t>::max())
+		return std::nullopt;
+	bool all_plain = true;
+	const auto offsetOf = [&](const hdf5::Rows& rows)
+	{
+		all_plain = all_plain && rows.plainOffset();
+		return rows.plainOffset().value_or(0);
+	};
+	json lists = {{"points", offsetOf(index.rowsOf("Points", index.typeOfPoints(), 3))},
+	              {"point_numbers", offsetOf(index.rowsOf("vprobe/PointNumbers", NumberType::uint32))},
+	              {"ids", offsetOf(index.rowsOf("Connectivity", NumberType::int32))},
+	              {"cell_numbers", offsetOf(index.rowsOf("vprobe/CellNumbers", NumberType::uint32))}};
+	const std::uint8_t type = index.typeOfAll();
+	if (type == 0)
+	{
+		lists["types"] = offsetOf(index.rowsOf("Types", NumberType::uint8));
+		lists["ends"] = offsetOf(index.rowsOf("Offsets", NumberType::int32));
+	}
+	json arrays = json::array();
+	for (const PackedArray& array : index.arrays())
+		if (array.name != "vtkGhostType") // its marks have done their work
+			arrays.push_back({{"name", array.name},
+			                  {"association", array.association == "Point" ? "point" : "cell"},
+			                  {"components", array.components},
+			                  {"type", grid::numberTypeName(array.type)},
+			                  {"offset", offsetOf(index.rowsOf(array.association + "Data/" + array.name, array.type,
+			                                                   array.components))},
+			                  {"facts", array.facts}});
+	if (!all_plain)
+		return std::nullopt;
+	return json{{"kind", "packed"},
+	            {"file", file},
+	            {"runs", describeRuns(index, *runs, writer)},
+	            {"part_cells", written(writer, index.parts().cells)},
+	            {"part_points", written(writer, index.parts().points)},
+	            {"type", type},
+	            {"type_of_points", grid::numberTypeName(index.typeOfPoints())},
+	            {"lists", std::move(lists)},
+	            {"arrays", std::move(arrays)}};
+}
+
+} // namespace vp::reader::vtk

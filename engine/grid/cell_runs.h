@@ -1,0 +1,67 @@
+#pragma once
+
+#include "base/vec.h"
+#include "parts/part_store.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace vp::grid
+{
+
+/// The cells of a listed grid that stays in its file. They are in runs: cells that follow each other, and lie together
+/// in space. A run is read when somebody needs it. A cell has the same id whichever runs were read, and so has a point;
+/// cells and points that nobody has read are zero.
+class CellRuns
+{
+public:
+	struct Run
+	{
+		Box box; // around the points of its cells
+		std::uint64_t first_cell;
+		std::uint32_t cells;
+		std::uint32_t part; // of the file. Runs of a part share its points.
+	};
+
+	virtual ~CellRuns() = default;
+	CellRuns(const CellRuns&) = delete;
+	CellRuns& operator=(const CellRuns&) = delete;
+
+	/// By ascending cells and parts.
+	const std::vector<Run>& runs() const { return runs_; }
+	/// Returns the numbers of the runs that a surface may meet, ascending. Surface: has meets(Box).
+	template <class Surface>
+	std::vector<std::uint32_t> meeting(const Surface& surface) const
+	{
+		std::vector<std::uint32_t> met;
+		for (std::uint32_t run = 0; run < runs_.size(); ++run)
+			if (surface.meets(runs_[run].box))
+				met.push_back(run);
+		return met;
+	}
+	std::vector<std::uint32_t> all() const;
+
+	/// Reads those of some runs (ascending) that are not in memory, on all cores. Throws parts::Unreadable, and
+	/// parts::Stopped. One thread at a time may call it. Meanwhile others may look at what was read before.
+	virtual void fetch(std::span<const std::uint32_t> runs) = 0;
+	/// Returns how many bytes of the file would be in memory after that.
+	virtual std::uint64_t bytesAfter(std::span<const std::uint32_t> runs) const = 0;
+	/// Forgets what was read.
+	virtual void letGo() = 0;
+	/// Returns the ids of the points of a part that has a run in memory.
+	virtual std::span<const std::uint32_t> pointsOf(std::uint32_t part) const = 0;
+
+	/// Returns what was used since the last call of startCounting(). A run counts as a part.
+	virtual parts::PartUse use() const = 0;
+	virtual void startCounting() = 0;
+
+protected:
+	explicit CellRuns(std::vector<Run> runs) : runs_(std::move(runs)) {}
+
+private:
+	std::vector<Run> runs_;
+};
+
+} // namespace vp::grid

@@ -1,0 +1,319 @@
+// How rows of a pack are read and checked (packed_cells.h).
+#include "read/packed_cells.h"
+
+#include "base/bytes_read.h"
+#include "base/parallel_for.h"
+#include "parts/stoppable.h"
+#include "read/cell_types.h"
+#include "read/check_mesh.h"
+#include "read/collapsed_cells.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace vp::read
+{
+
+using grid::Association;
+
+namespace
+{
+
+// A gap of so many bytes between two extents is asked for as well: one longer read takes less than two.
+constexpr std::uint64_t kGap = 16 << 10;
+
+parts::Unreadable damaged(const parts::OpenFile& file, const char* reason)
+{
+	return parts::Unreadable(fmt::format("{}: truncated or damaged: {}", file.name(), reason));
+}
+
+// Writes the numbers of rows to the places of their points. Two parts may write the same point at the same time.
+// isThere: whether a point was read before, when others may look at it.
+template <class Number, class IsThere>
+void scatter(std::span<const std::byte> rows, std::span<const std::uint32_t> points, std::byte* to,
+             const IsThere& isThere)
+{
+	const std::size_t numbers = rows.size() / points.size() / sizeof(Number);
+	for (std::size_t i = 0; i < points.size(); ++i)
+	{
+		if (isThere(points[i]))
+			continue;
+		auto* row = reinterpret_cast<Number*>(to) + numbers * points[i];
+		for (std::size_t n = 0; n < numbers; ++n)
+		{
+			Number number;
+			std::memcpy(&number, rows.data() + (i * numbers + n) * sizeof(Number), sizeof(Number));
+			std::atomic_ref(row[n]).store(number, std::memory_order_relaxed);
+		}
+	}
+}
+
+template <class IsThere>
+void scatter(std::size_t number_bytes, std::span<const std::byte> rows, std::span<const std::uint32_t> points,
+             std::byte* to, const IsThere& isThere)
+{
+	if (points.empty())
+		return;
+	number_bytes == 8   ? scatter<std::uint64_t>(rows, points, to, isThere)
+	: number_bytes == 4 ? scatter<std::uint32_t>(rows, points, to, isThere)
+	: number_bytes == 2 ? scatter<std::uint16_t>(rows, points, to, isThere)
+	                    : scatter<std::uint8_t>(rows, points, to, isThere);
+}
+
+std::vector<std::byte>& scratchOf(std::size_t bytes)
+{
+	static thread_local std::vector<std::byte> scratch;
+	scratch.resize(bytes);
+	return scratch;
+}
+
+} // namespace
+
+void PackedCells::fetch(std::span<const std::uint32_t> runs)
+{
+	for (const std::uint32_t run : runs)
+		met_[run] = true;
+	const std::vector<std::uint32_t> wanted = missing(runs);
+	if (wanted.empty())
+		return;
+	const std::vector<std::uint32_t> parts = missingParts(wanted);
+	const std::vector<Piece> pieces = piecesOf(wanted);
+	announce(parts, pieces);
+	const std::stop_token stop = parts::Stoppable::current();
+	const auto inParallel = [&](std::size_t count, const auto& act)
+	{
+		tracedFor(std::size_t(0), count,
+		          [&](std::size_t i)
+		          {
+			          if (stop.stop_requested())
+				          throw parts::Stopped();
+			          act(i);
+		          });
+	};
+	inParallel(parts.size(), [&](std::size_t i) { readPart(parts[i]); });
+	inParallel(pieces.size(), [&](std::size_t i) { readPiece(pieces[i]); });
+	for (const std::uint32_t part : parts)
+		notePoints(part);
+	std::uint64_t bytes = 0;
+	for (const std::uint32_t part : parts)
+	{
+		has_part_[part] = true;
+		bytes += bytesOfPart(part);
+	}
+	for (const std::uint32_t run : wanted)
+	{
+		has_run_[run] = true;
+		bytes += bytesOfRun(run);
+	}
+	read_ += wanted.size();
+	bytes_read_ += bytes;
+	bytesRead().fetch_add(bytes, std::memory_order_relaxed);
+}
+
+std::vector<PackedCells::Piece> PackedCells::piecesOf(std::span<const std::uint32_t> numbers) const
+{
+	std::vector<Piece> pieces;
+	for (const std::uint32_t number : numbers)
+	{
+		const Run& run = runs()[number];
+		const bool goes_on = !pieces.empty() && pieces.back().first_run + pieces.back().runs == number &&
+		                     runs()[number - 1].part == run.part;
+		if (!goes_on)
+			pieces.push_back({.first_run = number, .first_cell = run.first_cell, .first_id = first_ids_[number]});
+		Piece& piece = pieces.back();
+		++piece.runs;
+		piece.cells += run.cells;
+		piece.ids += contents_.run_ids[number];
+	}
+	return pieces;
+}
+
+// Asks the system for what will be read.
+void PackedCells::announce(std::span<const std::uint32_t> parts, std::span<const Piece> pieces) const
+{
+	std::vector<std::pair<std::uint64_t, std::uint64_t>> extents;
+	const auto add = [&](const List& list, std::uint64_t first, std::uint64_t count)
+	{ extents.emplace_back(list.offset + first * list.row_bytes, list.offset + (first + count) * list.row_bytes); };
+	const auto addArrays = [&](Association association, std::uint64_t first, std::uint64_t count)
+	{
+		for (const auto& [field, list] : contents_.arrays)
+			if (field.association == association)
+				add(list, first, count);
+	};
+	for (const std::uint32_t number : parts)
+	{
+		const Part& part = parts_[number];
+		add(contents_.places, part.first_point, part.points);
+		add(contents_.point_numbers, part.first_point, part.points);
+		addArrays(Association::point, part.first_point, part.points);
+	}
+	for (const Piece& piece : pieces)
+	{
+		add(contents_.ids, piece.first_id, piece.ids);
+		add(contents_.cell_numbers, piece.first_cell, piece.cells);
+		addArrays(Association::cell, piece.first_cell, piece.cells);
+	}
+	std::ranges::sort(extents);
+	for (std::size_t i = 0, next; i < extents.size(); i = next)
+	{
+		auto [begin, end] = extents[i];
+		for (next = i + 1; next < extents.size() && extents[next].first <= end + kGap; ++next)
+			end = std::max(end, extents[next].second);
+		posix_fadvise(contents_.file->descriptor(), static_cast<off_t>(begin), static_cast<off_t>(end - begin),
+		              POSIX_FADV_WILLNEED);
+	}
+}
+
+void PackedCells::readRows(const List& list, std::uint64_t first, std::uint64_t count, void* to) const
+{
+	auto at = static_cast<off_t>(list.offset + first * list.row_bytes);
+	std::size_t left = count * list.row_bytes;
+	for (auto* next = static_cast<std::byte*>(to); left > 0;)
+	{
+		const ssize_t bytes = pread(contents_.file->descriptor(), next, left, at);
+		if (bytes < 0 && errno == EINTR)
+			continue;
+		if (bytes < 0)
+			throw parts::Unreadable(fmt::format("{}: {}", contents_.file->name(), std::strerror(errno)));
+		if (bytes == 0)
+			throw parts::Unreadable(
+			    fmt::format("{}: it has become shorter while it was open; open it again", contents_.file->name()));
+		next += bytes;
+		at += bytes;
+		left -= static_cast<std::size_t>(bytes);
+	}
+}
+
+void PackedCells::readPart(std::uint32_t number) const
+{
+	const Part& part = parts_[number];
+	readRows(contents_.point_numbers, part.first_point, part.points,
+	         point_numbers_->as<std::uint32_t>() + part.first_point);
+	const std::span<const std::uint32_t> points = pointsOf(number);
+	for (std::size_t p = 0; p < points.size(); ++p)
+		if (points[p] >= contents_.all_points || (p > 0 && points[p] <= points[p - 1]))
+			throw damaged(*contents_.file, "the points of a part are out of order");
+	const auto isThere = [bits = is_there_->as<std::uint64_t>()](std::uint32_t point)
+	{ return (bits[point / 64] >> point % 64 & 1) != 0; };
+	const auto take = [&](const List& list, std::size_t number_bytes, const Memory& memory)
+	{
+		std::vector<std::byte>& rows = scratchOf(part.points * list.row_bytes);
+		readRows(list, part.first_point, part.points, rows.data());
+		scatter(number_bytes, rows, points, memory->data(), isThere);
+	};
+	take(contents_.places, contents_.places.row_bytes / 3, places_);
+	for (std::size_t a = 0; a < arrays_.size(); ++a)
+		if (const auto& [field, list] = contents_.arrays[a]; field.association == Association::point)
+			take(list, grid::byteSize(field.type), arrays_[a]);
+}
+
+void PackedCells::notePoints(std::uint32_t part) const
+{
+	auto* bits = is_there_->as<std::uint64_t>();
+	for (const std::uint32_t point : pointsOf(part))
+		bits[point / 64] |= std::uint64_t(1) << point % 64;
+}
+
+void PackedCells::readPiece(const Piece& piece) const
+{
+	readRows(contents_.ids, piece.first_id, piece.ids, id_memory_->as<std::int32_t>() + piece.first_id);
+	takeTypes(piece);
+	takeCellNumbers(piece);
+	for (std::size_t a = 0; a < arrays_.size(); ++a)
+		if (const auto& [field, list] = contents_.arrays[a]; field.association == Association::cell)
+			readRows(list, piece.first_cell, piece.cells, arrays_[a]->data() + piece.first_cell * list.row_bytes);
+	for (std::uint32_t run = piece.first_run; run < piece.first_run + piece.runs; ++run)
+		takeIds(run);
+	if (contents_.type != kTetra)
+		orderCollapsed(cells(), piece.first_cell, piece.first_cell + piece.cells,
+		               {id_memory_->as<std::int32_t>(), ids_});
+}
+
+void PackedCells::takeTypes(const Piece& piece) const
+{
+	auto* types = types_->as<std::uint8_t>() + piece.first_cell;
+	if (isAlike())
+	{
+		std::atomic_ref(types[0]).store(contents_.type, std::memory_order_relaxed); // the first cell has its type
+		std::fill_n(types + 1, piece.cells - 1, contents_.type);
+		return;
+	}
+	const Part& part = parts_[runs()[piece.first_run].part];
+	readRows(contents_.types, piece.first_cell, piece.cells, types);
+	std::vector<std::int32_t> ends(piece.cells + 1); // a part of the list has one more than cells
+	readRows(contents_.ends, part.first_end + (piece.first_cell - part.first_cell), ends.size(), ends.data());
+	auto* starts = ends_->as<std::int64_t>() + piece.first_cell;
+	std::uint64_t sum = 0;
+	for (std::size_t c = 0; c < piece.cells; ++c)
+	{
+		const auto size = static_cast<std::int64_t>(ends[c + 1]) - ends[c];
+		if (slicedCellSize(types[c]) == 0 || size != slicedCellSize(types[c]))
+			throw damaged(*contents_.file, "a cell has not as many points as its type");
+		std::atomic_ref(starts[c]).store(static_cast<std::int64_t>(piece.first_id + sum), std::memory_order_relaxed);
+		sum += static_cast<std::uint64_t>(size);
+	}
+	if (sum != piece.ids)
+		throw damaged(*contents_.file, "the Offsets of a part do not match it");
+	// The piece behind it may write the same.
+	std::atomic_ref(starts[piece.cells])
+	    .store(static_cast<std::int64_t>(piece.first_id + sum), std::memory_order_relaxed);
+}
+
+void PackedCells::takeCellNumbers(const Piece& piece) const
+{
+	std::vector<std::byte>& rows = scratchOf(piece.cells * sizeof(std::uint32_t));
+	readRows(contents_.cell_numbers, piece.first_cell, piece.cells, rows.data());
+	auto* to = cell_numbers_->as<std::int64_t>() + piece.first_cell;
+	for (std::size_t c = 0; c < piece.cells; ++c)
+	{
+		std::uint32_t number;
+		std::memcpy(&number, rows.data() + c * sizeof(number), sizeof(number));
+		to[c] = number;
+	}
+}
+
+namespace
+{
+
+// A cut goes by the boxes, so points that were moved by hand would lose cells without a word.
+template <class Number>
+bool liesOutside(std::span<const std::int32_t> ids, const Number* places, const Box& box)
+{
+	bool is_outside = false;
+	for (const std::int32_t id : ids)
+	{
+		const Number* at = places + 3 * static_cast<std::size_t>(id);
+		for (int axis = 0; axis < 3; ++axis)
+			is_outside |= !(at[axis] >= box.lo[axis] && at[axis] <= box.hi[axis]);
+	}
+	return is_outside;
+}
+
+} // namespace
+
+// Turns the ids of a run into those of the whole.
+void PackedCells::takeIds(std::uint32_t number) const
+{
+	const Run& run = runs()[number];
+	const std::span<const std::uint32_t> points = pointsOf(run.part);
+	const std::span<std::int32_t> ids(id_memory_->as<std::int32_t>() + first_ids_[number], contents_.run_ids[number]);
+	std::uint32_t largest = 0; // a negative id becomes a large number
+	for (const std::int32_t id : ids)
+		largest = std::max(largest, static_cast<std::uint32_t>(id));
+	if (largest >= points.size())
+		throw damaged(*contents_.file, "a cell has a point that is not there");
+	for (std::int32_t& id : ids)
+		id = static_cast<std::int32_t>(points[static_cast<std::size_t>(id)]);
+	if (contents_.places.row_bytes == 3 * sizeof(double) ? liesOutside(ids, places_->as<double>(), run.box)
+	                                                     : liesOutside(ids, places_->as<float>(), run.box))
+		throw damaged(*contents_.file, "a point lies outside the box of its cells; pack the file again");
+}
+
+} // namespace vp::read

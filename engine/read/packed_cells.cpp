@@ -1,0 +1,241 @@
+#include "read/packed_cells.h"
+
+#include "read/cell_types.h"
+#include "read/check_mesh.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace vp::read
+{
+
+using grid::Association;
+
+namespace
+{
+
+constexpr std::uint64_t kMaxRows = std::uint64_t(1) << 40;
+constexpr std::uint64_t kMaxOfRun = std::numeric_limits<std::uint32_t>::max();
+
+std::uint64_t sumOf(std::span<const std::uint64_t> counts, std::uint64_t most)
+{
+	std::uint64_t sum = 0;
+	for (const std::uint64_t count : counts)
+		if (count > most || (sum += count) > kMaxRows)
+			throw Unusable("its runs have more cells or points than there can be");
+	return sum;
+}
+
+std::shared_ptr<SparseMemory> memoryFor(std::uint64_t rows, std::size_t row_bytes)
+{
+	return std::make_shared<SparseMemory>(rows * row_bytes);
+}
+
+template <class T>
+Array<T> viewOf(const std::shared_ptr<SparseMemory>& memory, std::size_t count)
+{
+	return {memory, memory->template as<const T>(), count};
+}
+
+} // namespace
+
+PackedCells::PackedCells(Contents contents)
+    : CellRuns(std::exchange(contents.runs, {})), contents_(std::move(contents)), has_run_(runs().size()),
+      has_part_(contents_.points.size()), met_(runs().size())
+{
+	check();
+	takeMemory();
+}
+
+void PackedCells::check()
+{
+	const std::size_t parts = contents_.points.size();
+	const auto size = static_cast<std::uint64_t>(slicedCellSize(contents_.type));
+	if (runs().empty() || contents_.run_ids.size() != runs().size() || contents_.all_cells.size() != parts ||
+	    contents_.all_points == 0 || contents_.all_points > std::numeric_limits<std::int32_t>::max() ||
+	    (isAlike() && size == 0))
+		throw Unusable("the lists of its parts do not match");
+	const std::uint64_t points = sumOf(contents_.points, kMaxOfRun);
+	const std::uint64_t rows = sumOf(contents_.all_cells, kMaxRows);
+	ids_ = sumOf(contents_.run_ids, kMaxOfRun);
+	std::uint64_t first_point = 0, first_cell = 0;
+	for (std::size_t p = 0; p < parts; ++p)
+	{
+		parts_.push_back({first_point, contents_.points[p], first_cell + p, first_cell});
+		first_point += contents_.points[p];
+		first_cell += contents_.all_cells[p];
+	}
+	std::uint32_t last_part = 0;
+	std::uint64_t first_id = 0;
+	for (std::size_t r = 0; r < runs().size(); ++r)
+	{
+		const Run& run = runs()[r];
+		const bool has_part = run.part < parts && run.part >= last_part;
+		if (!has_part || run.cells == 0 || run.first_cell != cells_ || run.box.empty() ||
+		    !isPlace(run.box.diagonal()) || run.first_cell < parts_[run.part].first_cell ||
+		    run.first_cell + run.cells > parts_[run.part].first_cell + contents_.all_cells[run.part] ||
+		    (isAlike() && contents_.run_ids[r] != size * run.cells))
+			throw Unusable("the runs of its cells do not match its parts");
+		last_part = run.part;
+		cells_ += run.cells;
+		first_ids_.push_back(first_id);
+		first_id += contents_.run_ids[r];
+	}
+	if (cells_ >= kMaxBlockIds)
+		throw Unusable("a block of so many cells cannot be held");
+	const auto fit = [file_size = contents_.file->size()](const List& list, std::uint64_t count)
+	{
+		if (list.row_bytes == 0 || list.offset > file_size || count > (file_size - list.offset) / list.row_bytes)
+			throw Unusable("a list of its parts lies outside of the file");
+	};
+	fit(contents_.places, points);
+	fit(contents_.point_numbers, points);
+	fit(contents_.ids, ids_);
+	fit(contents_.cell_numbers, rows);
+	if (!isAlike())
+	{
+		fit(contents_.types, rows);
+		fit(contents_.ends, rows + parts);
+	}
+	point_row_bytes_ = contents_.places.row_bytes + contents_.point_numbers.row_bytes;
+	cell_row_bytes_ = contents_.cell_numbers.row_bytes + contents_.types.row_bytes + contents_.ends.row_bytes;
+	for (const auto& [field, list] : contents_.arrays)
+	{
+		fit(list, field.association == Association::point ? points : rows);
+		(field.association == Association::point ? point_row_bytes_ : cell_row_bytes_) += list.row_bytes;
+	}
+}
+
+void PackedCells::takeMemory()
+{
+	const std::uint64_t points = contents_.all_points;
+	places_ = memoryFor(points, contents_.places.row_bytes);
+	is_there_ = memoryFor(points / 64 + 1, sizeof(std::uint64_t));
+	point_numbers_ = memoryFor(parts_.back().first_point + parts_.back().points, sizeof(std::uint32_t));
+	id_memory_ = memoryFor(ids_, sizeof(std::int32_t));
+	types_ = memoryFor(cells_, 1);
+	ends_ = memoryFor(isAlike() ? 0 : cells_ + 1, sizeof(std::int64_t));
+	cell_numbers_ = memoryFor(cells_, sizeof(std::int64_t));
+	for (const auto& [field, list] : contents_.arrays)
+		arrays_.push_back(memoryFor(field.association == Association::point ? points : cells_, list.row_bytes));
+	types_->data()[0] = std::byte{contents_.type}; // the first tells of all, where they are alike
+}
+
+grid::Points PackedCells::points() const
+{
+	const std::size_t numbers = 3 * contents_.all_points;
+	return contents_.places.row_bytes == 3 * sizeof(double) ? grid::Points(viewOf<double>(places_, numbers))
+	                                                        : grid::Points(viewOf<float>(places_, numbers));
+}
+
+grid::CellList PackedCells::cells() const
+{
+	grid::CellList list;
+	list.types = viewOf<std::uint8_t>(types_, cells_);
+	if (!isAlike())
+		list.offsets = viewOf<std::int64_t>(ends_, cells_ + 1);
+	list.connectivity = viewOf<std::int32_t>(id_memory_, ids_);
+	return list;
+}
+
+Array<std::int64_t> PackedCells::cellNumbers() const
+{
+	return viewOf<std::int64_t>(cell_numbers_, cells_);
+}
+
+std::vector<grid::Field> PackedCells::fields() const
+{
+	std::vector<grid::Field> fields;
+	for (std::size_t a = 0; a < arrays_.size(); ++a)
+	{
+		fields.push_back(contents_.arrays[a].field);
+		fields.back().bytes = viewOf<std::byte>(arrays_[a], arrays_[a]->size());
+		fields.back().is_in_runs = true;
+	}
+	return fields;
+}
+
+std::span<const std::uint32_t> PackedCells::pointsOf(std::uint32_t part) const
+{
+	return {point_numbers_->as<std::uint32_t>() + parts_[part].first_point, parts_[part].points};
+}
+
+std::vector<std::uint32_t> PackedCells::missing(std::span<const std::uint32_t> runs) const
+{
+	std::vector<std::uint32_t> missing;
+	std::ranges::copy_if(runs, std::back_inserter(missing), [this](std::uint32_t run) { return !has_run_[run]; });
+	return missing;
+}
+
+std::vector<std::uint32_t> PackedCells::missingParts(std::span<const std::uint32_t> runs) const
+{
+	std::vector<std::uint32_t> missing;
+	for (const std::uint32_t run : runs)
+		if (const std::uint32_t part = this->runs()[run].part;
+		    !has_part_[part] && (missing.empty() || missing.back() != part))
+			missing.push_back(part);
+	return missing;
+}
+
+std::uint64_t PackedCells::bytesOfPart(std::uint32_t part) const
+{
+	return parts_[part].points * point_row_bytes_;
+}
+
+std::uint64_t PackedCells::bytesOfRun(std::uint32_t run) const
+{
+	return contents_.run_ids[run] * contents_.ids.row_bytes + runs()[run].cells * cell_row_bytes_;
+}
+
+std::uint64_t PackedCells::bytesOf(const std::vector<bool>& has) const
+{
+	std::uint64_t bytes = 0;
+	std::uint32_t last_part = std::numeric_limits<std::uint32_t>::max();
+	for (std::uint32_t run = 0; run < has.size(); ++run)
+		if (has[run])
+		{
+			bytes += bytesOfRun(run);
+			if (std::exchange(last_part, runs()[run].part) != runs()[run].part)
+				bytes += bytesOfPart(runs()[run].part);
+		}
+	return bytes;
+}
+
+std::uint64_t PackedCells::bytesAfter(std::span<const std::uint32_t> runs) const
+{
+	std::vector<bool> has = has_run_;
+	for (const std::uint32_t run : runs)
+		has[run] = true;
+	return bytesOf(has);
+}
+
+void PackedCells::letGo()
+{
+	for (const Memory& memory : {places_, is_there_, point_numbers_, id_memory_, types_, ends_, cell_numbers_})
+		memory->clear();
+	for (const Memory& memory : arrays_)
+		memory->clear();
+	types_->data()[0] = std::byte{contents_.type};
+	has_run_.assign(has_run_.size(), false);
+	has_part_.assign(has_part_.size(), false);
+}
+
+parts::PartUse PackedCells::use() const
+{
+	return {.all = runs().size(),
+	        .kept = static_cast<std::uint64_t>(std::ranges::count(has_run_, true)),
+	        .met = static_cast<std::uint64_t>(std::ranges::count(met_, true)),
+	        .read = read_,
+	        .bytes_met = bytesOf(met_),
+	        .bytes_read = bytes_read_};
+}
+
+void PackedCells::startCounting()
+{
+	met_.assign(met_.size(), false);
+	read_ = bytes_read_ = 0;
+}
+
+} // namespace vp::read

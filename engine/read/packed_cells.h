@@ -1,0 +1,122 @@
+#pragma once
+
+#include "base/array.h"
+#include "base/sparse_memory.h"
+#include "grid/cell_list.h"
+#include "grid/cell_runs.h"
+#include "grid/field.h"
+#include "grid/points.h"
+#include "parts/file_extents.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace vp::read
+{
+
+// The cells of a pack (docs/FORMATS.md), whose lists lie in its file as they are. This process reads rows of them:
+// plain numbers, which no library parses, and which are checked before they are used.
+class PackedCells : public grid::CellRuns
+{
+public:
+	// A list of rows in the file.
+	struct List
+	{
+		std::uint64_t offset = 0;
+		std::size_t row_bytes = 0;
+	};
+	struct ArrayList
+	{
+		grid::Field field; // without bytes
+		List list;
+	};
+	// What the file says of itself. Nothing of it is checked.
+	struct Contents
+	{
+		std::shared_ptr<const parts::OpenFile> file;
+		std::vector<Run> runs;                // with ascending parts
+		std::vector<std::uint64_t> run_ids;   // point ids in each run
+		std::vector<std::uint64_t> all_cells; // of each part, with those that have no run
+		std::vector<std::uint64_t> points;    // of each part
+		std::uint64_t all_points = 0;         // those of several parts count once
+		std::uint8_t type = 0;                // of all cells; 0 if they have several
+		List places;                          // of points: float or double
+		List point_numbers;                   // uint32: in the whole
+		List ids;                             // int32: among the points of the part
+		List cell_numbers;                    // uint32: in the file that was packed
+		List types{};                         // uint8; only if cells have several types
+		List ends{};                          // int32, likewise: a part has one more than cells
+		std::vector<ArrayList> arrays;
+	};
+
+	// Throws Unusable if the lists cannot be, or do not lie in the file.
+	explicit PackedCells(Contents contents);
+
+	// Views of the memory into which fetch() reads.
+	grid::Points points() const;
+	grid::CellList cells() const;
+	Array<std::int64_t> cellNumbers() const;
+	std::vector<grid::Field> fields() const;
+
+	void fetch(std::span<const std::uint32_t> runs) override;
+	std::uint64_t bytesAfter(std::span<const std::uint32_t> runs) const override;
+	void letGo() override;
+	std::span<const std::uint32_t> pointsOf(std::uint32_t part) const override;
+	parts::PartUse use() const override;
+	void startCounting() override;
+
+private:
+	struct Part
+	{
+		std::uint64_t first_point = 0;
+		std::uint64_t points = 0;
+		std::uint64_t first_end = 0; // row in the list of ends of the part's first cell
+		std::uint64_t first_cell = 0;
+	};
+	// Runs that follow each other in a part.
+	struct Piece
+	{
+		std::uint32_t first_run = 0;
+		std::uint32_t runs = 0;
+		std::uint64_t first_cell = 0;
+		std::uint64_t cells = 0;
+		std::uint64_t first_id = 0;
+		std::uint64_t ids = 0;
+	};
+	using Memory = std::shared_ptr<SparseMemory>;
+
+	bool isAlike() const { return contents_.type != 0; }
+	void check();
+	void takeMemory();
+	std::vector<std::uint32_t> missing(std::span<const std::uint32_t> runs) const;
+	std::vector<std::uint32_t> missingParts(std::span<const std::uint32_t> runs) const;
+	std::vector<Piece> piecesOf(std::span<const std::uint32_t> runs) const;
+	void announce(std::span<const std::uint32_t> parts, std::span<const Piece> pieces) const;
+	void readRows(const List& list, std::uint64_t first, std::uint64_t count, void* to) const;
+	void readPart(std::uint32_t part) const;
+	void notePoints(std::uint32_t part) const;
+	void readPiece(const Piece& piece) const;
+	void takeTypes(const Piece& piece) const;
+	void takeCellNumbers(const Piece& piece) const;
+	void takeIds(std::uint32_t run) const;
+	std::uint64_t bytesOfPart(std::uint32_t part) const;
+	std::uint64_t bytesOfRun(std::uint32_t run) const;
+	std::uint64_t bytesOf(const std::vector<bool>& has) const;
+
+	Contents contents_;
+	std::vector<Part> parts_;
+	std::vector<std::uint64_t> first_ids_; // of each run
+	std::uint64_t cells_ = 0, ids_ = 0;    // in all runs
+	std::size_t point_row_bytes_ = 0, cell_row_bytes_ = 0;
+
+	Memory places_, point_numbers_, id_memory_, types_, ends_, cell_numbers_;
+	std::vector<Memory> arrays_;
+	Memory is_there_; // a bit for each point: it was read by an earlier fetch
+	std::vector<bool> has_run_, has_part_, met_;
+	std::uint64_t read_ = 0, bytes_read_ = 0;
+};
+
+} // namespace vp::read
