@@ -36,20 +36,20 @@ public:
 	// What the file says of itself. Nothing of it is checked.
 	struct Contents
 	{
-		std::shared_ptr<const parts::OpenFile> file;
-		std::vector<Run> runs;                // with ascending parts
-		std::vector<std::uint64_t> run_ids;   // point ids in each run
-		std::vector<std::uint64_t> all_cells; // of each part, with those that have no run
-		std::vector<std::uint64_t> points;    // of each part
-		std::uint64_t all_points = 0;         // those of several parts count once
-		std::uint8_t type = 0;                // of all cells; 0 if they have several
-		List places;                          // of points: float or double
-		List point_numbers;                   // uint32: in the whole
-		List ids;                             // int32: among the points of the part
-		List cell_numbers;                    // uint32: in the file that was packed
-		List types{};                         // uint8; only if cells have several types
-		List ends{};                          // int32, likewise: a part has one more than cells
-		std::vector<ArrayList> arrays;
+		std::shared_ptr<const parts::OpenFile> file{};
+		std::vector<Run> runs{};                // with ascending parts
+		std::vector<std::uint64_t> run_ids{};   // point ids in each run
+		std::vector<std::uint64_t> all_cells{}; // of each part, with those that have no run
+		std::vector<std::uint64_t> points{};    // of each part
+		std::uint64_t all_points = 0;           // those of several parts count once
+		std::uint8_t type = 0;                  // of all cells; 0 if they have several
+		List places{};                          // of points: float or double
+		List point_numbers{};                   // uint32: in the whole
+		List ids{};                             // int32: among the points of the part
+		List cell_numbers{};                    // uint32: in the file that was packed
+		List types{};                           // uint8; only if cells have several types
+		List ends{};                            // int32, likewise: a part has one more than cells
+		std::vector<ArrayList> arrays{};
 	};
 
 	// Throws Unusable if the lists cannot be, or do not lie in the file.
