@@ -177,10 +177,10 @@ public:
 			list.connectivity.as(
 			    [&](auto ids) {
 				    withPoints([&]<int kCount>()
-				               { scanRuns([&](auto... range) { scanAlike<kCount>(ids.data(), range...); }); });
+				               { scanRuns([&](auto&&... range) { scanAlike<kCount>(ids.data(), range...); }); });
 			    });
 		else
-			scanRuns([&](auto... range) { scanAny(range...); });
+			scanRuns([&](auto&&... range) { scanAny(range...); });
 		Scan scan = joined();
 		scan.cut.scanned = 0;
 		for (const std::uint32_t run : runs)
