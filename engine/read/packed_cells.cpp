@@ -111,7 +111,7 @@ void PackedCells::check()
 void PackedCells::takeMemory()
 {
 	const std::uint64_t points = contents_.all_points;
-	places_ = memoryFor(points, contents_.places.row_bytes);
+	places_ = memoryFor(points + 1, contents_.places.row_bytes); // one more, so that a point may be read with the next
 	is_there_ = memoryFor(points / 64 + 1, sizeof(std::uint64_t));
 	point_numbers_ = memoryFor(parts_.back().first_point + parts_.back().points, sizeof(std::uint32_t));
 	id_memory_ = memoryFor(ids_, sizeof(std::int32_t));
