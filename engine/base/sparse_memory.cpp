@@ -25,10 +25,4 @@ SparseMemory::~SparseMemory()
 		munmap(data_, size_);
 }
 
-void SparseMemory::clear()
-{
-	if (data_)
-		madvise(data_, size_, MADV_DONTNEED);
-}
-
 } // namespace vp

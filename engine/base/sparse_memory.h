@@ -22,8 +22,6 @@ public:
 	{
 		return reinterpret_cast<T*>(data_);
 	}
-	// All of it is zero again, and takes no room.
-	void clear();
 
 private:
 	std::byte* data_ = nullptr;

@@ -33,6 +33,7 @@ struct WholeGrid
 	std::size_t points = 0; // those of several parts count once
 	std::size_t cells = 0;
 	Box bounds;
+	std::vector<Vec3> farthest; // from their center (farthest_points.h); empty if the file does not say
 	parts::PartUse parts;
 	Array<std::int64_t> cell_numbers; // by sourceCell(): the number in the file that the parts were made of
 };
@@ -150,7 +151,7 @@ bool isComplete(const BlockSet& blocks);
 /// Links the listed grids of a set (unstructured.h), finishes their blocks and matches interfaces, on all cores. Also
 /// finishes those that were finished for one cut, unless there is to be one cut. The cells and points of these blocks
 /// get other ids, so earlier results are no longer valid. Does nothing if the set is complete. Throws like
-/// UnstructuredGrid::build().
+/// UnstructuredGrid::build() and readAllParts().
 void buildNeighbors(BlockSet& blocks, bool for_one_cut = false);
 
 // Throws std::logic_error if an invariant is broken: neighbors that do not know each other, ids out of range, boxes

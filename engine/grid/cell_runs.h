@@ -11,6 +11,8 @@
 namespace vp::grid
 {
 
+struct Block;
+
 /// The cells of a listed grid that stays in its file. They are in runs: cells that follow each other, and lie together
 /// in space. A run is read when somebody needs it. A cell has the same id whichever runs were read, and so has a point;
 /// cells and points that nobody has read are zero.
@@ -48,8 +50,8 @@ public:
 	virtual void fetch(std::span<const std::uint32_t> runs) = 0;
 	/// Returns how many bytes of the file would be in memory after that.
 	virtual std::uint64_t bytesAfter(std::span<const std::uint32_t> runs) const = 0;
-	/// Forgets what was read.
-	virtual void letGo() = 0;
+	/// Gives its block runs, points, cells and values anew, of which nothing was read. Copies of the block keep theirs.
+	virtual void renew(Block& block) const = 0;
 	/// Returns the ids of the points of a part that has a run in memory.
 	virtual std::span<const std::uint32_t> pointsOf(std::uint32_t part) const = 0;
 

@@ -201,7 +201,7 @@ private:
 			const std::size_t unplaced = leaveOutUnplaced(mesh);
 			if (block.contains("pack"))
 			{
-				grid::WholeGrid whole = wholeOf(block.at("pack"));
+				grid::WholeGrid whole = wholeOf(block.at("pack"), arrays_);
 				whole.cell_numbers = numbersOf<std::int64_t>(cells_, block.at("pack").at("numbers"), NumberType::int64,
 				                                             mesh.cells.size());
 				checked.whole = std::make_shared<const grid::WholeGrid>(std::move(whole));

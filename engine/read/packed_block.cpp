@@ -46,6 +46,17 @@ std::vector<grid::CellRuns::Run> runsOf(const SharedBytes& arrays, const json& l
 	return runs;
 }
 
+// What a camera sees if the file does not say which points are farthest from the center.
+std::vector<Vec3> cornersOf(std::span<const grid::CellRuns::Run> runs)
+{
+	std::vector<Vec3> corners;
+	for (const grid::CellRuns::Run& run : runs)
+		for (int i = 0; i < 8; ++i)
+			corners.emplace_back(i & 1 ? run.box.hi.x : run.box.lo.x, i & 2 ? run.box.hi.y : run.box.lo.y,
+			                     i & 4 ? run.box.hi.z : run.box.lo.z);
+	return corners;
+}
+
 PackedCells::List listOf(const json& offset, std::size_t row_bytes)
 {
 	return {countOf(offset), row_bytes};
@@ -65,7 +76,7 @@ PackedCells::ArrayList arrayOf(const json& array)
 
 } // namespace
 
-grid::WholeGrid wholeOf(const json& pack)
+grid::WholeGrid wholeOf(const json& pack, const SharedBytes& arrays)
 {
 	grid::WholeGrid whole;
 	whole.points = countOf(pack.at("points"));
@@ -79,6 +90,12 @@ grid::WholeGrid wholeOf(const json& pack)
 	whole.parts.all = countOf(pack.at("parts"));
 	whole.parts.kept = whole.parts.met = whole.parts.read = countOf(pack.at("parts_read"));
 	whole.parts.bytes_met = whole.parts.bytes_read = countOf(pack.at("bytes_read"));
+	if (pack.contains("farthest"))
+	{
+		const auto numbers = numbersOf<double>(arrays, pack.at("farthest"), NumberType::float64);
+		for (std::size_t i = 0; i + 3 <= numbers.size(); i += 3)
+			whole.farthest.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+	}
 	if (whole.bounds.empty() || whole.parts.read > whole.parts.all)
 		throw Unusable("parts of a grid are more than the whole");
 	return whole;
@@ -117,8 +134,10 @@ void takePackedBlock(const json& block, const SharedBytes& arrays, const Readabl
 			contents.arrays.push_back(arrayOf(array));
 
 	const auto cells = std::make_shared<PackedCells>(std::move(contents));
-	grid::WholeGrid whole = wholeOf(block.at("pack"));
+	grid::WholeGrid whole = wholeOf(block.at("pack"), arrays);
 	whole.cell_numbers = cells->cellNumbers();
+	if (whole.farthest.empty())
+		whole.farthest = cornersOf(cells->runs());
 	if (whole.cells != whole.cell_numbers.size())
 		throw Unusable("its runs do not make up the whole");
 	checked.whole = std::make_shared<const grid::WholeGrid>(std::move(whole));

@@ -11,8 +11,8 @@
 namespace vp::read
 {
 
-// What a pack says of its whole. `cell_numbers` is left out.
-grid::WholeGrid wholeOf(const nlohmann::json& pack);
+// What a pack says of its whole. `cell_numbers` is left out. Throws Unusable.
+grid::WholeGrid wholeOf(const nlohmann::json& pack, const SharedBytes& arrays);
 
 // Takes a block of a pack whose cells stay in its file (protocol.h): its cells, arrays and facts, but none of their
 // values. Throws Unusable, and parts::Unreadable if the file cannot be opened.

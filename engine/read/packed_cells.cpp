@@ -1,5 +1,6 @@
 #include "read/packed_cells.h"
 
+#include "grid/block.h"
 #include "read/cell_types.h"
 #include "read/check_mesh.h"
 
@@ -211,15 +212,20 @@ std::uint64_t PackedCells::bytesAfter(std::span<const std::uint32_t> runs) const
 	return bytesOf(has);
 }
 
-void PackedCells::letGo()
+void PackedCells::renew(grid::Block& block) const
 {
-	for (const Memory& memory : {places_, is_there_, point_numbers_, id_memory_, types_, ends_, cell_numbers_})
-		memory->clear();
-	for (const Memory& memory : arrays_)
-		memory->clear();
-	types_->data()[0] = std::byte{contents_.type};
-	has_run_.assign(has_run_.size(), false);
-	has_part_.assign(has_part_.size(), false);
+	Contents contents = contents_;
+	contents.runs = runs();
+	const auto fresh = std::make_shared<PackedCells>(std::move(contents));
+	block.grid = grid::UnstructuredGrid::listedInRuns(fresh->points(), fresh->cells());
+	for (grid::Field& own : fresh->fields())
+		for (grid::Field& field : block.fields)
+			if (field.is_in_runs && field.name == own.name && field.association == own.association)
+				field.bytes = own.bytes;
+	auto whole = std::make_shared<grid::WholeGrid>(*block.whole);
+	whole->cell_numbers = fresh->cellNumbers();
+	block.whole = std::move(whole);
+	block.runs = fresh;
 }
 
 parts::PartUse PackedCells::use() const

@@ -63,7 +63,7 @@ public:
 
 	void fetch(std::span<const std::uint32_t> runs) override;
 	std::uint64_t bytesAfter(std::span<const std::uint32_t> runs) const override;
-	void letGo() override;
+	void renew(grid::Block& block) const override;
 	std::span<const std::uint32_t> pointsOf(std::uint32_t part) const override;
 	parts::PartUse use() const override;
 	void startCounting() override;

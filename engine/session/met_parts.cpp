@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 
 namespace vp::session
 {
@@ -38,6 +39,30 @@ std::vector<std::uint32_t> runsMet(const grid::CellRuns& runs, const probe::Prob
 	return met;
 }
 
+namespace
+{
+
+// Returns true if these runs do not fit into the memory for parts beside those that were read before.
+bool mustLetGo(const grid::CellRuns& runs, std::span<const std::uint32_t> met)
+{
+	return runs.use().kept > 0 && runs.bytesAfter(met) > parts::KeptParts::ofProcess().budget();
+}
+
+} // namespace
+
+Result<bool> Session::changesBlocksFor(const FrameRequest& request) const
+{
+	const Result<bool> lacks = needsNeighborsFor(request);
+	if (!lacks || *lacks || !grid::lacksParts(blocks_))
+		return lacks;
+	const auto changes = [&](const grid::Block& block)
+	{
+		return block.runs && mustLetGo(*block.runs, block.runs->all()) &&
+		       mustLetGo(*block.runs, runsMet(*block.runs, cutRequest(request).probe));
+	};
+	return !looksAtCutAlone(spec_) || std::ranges::any_of(blocks_.blocks, changes);
+}
+
 // Reads what the frame needs of cells that are still in their file: those that it meets, or all.
 Status Session::readParts(const FrameRequest& request)
 {
@@ -51,14 +76,18 @@ Status Session::readParts(const FrameRequest& request)
 	{
 		if (!block.runs)
 			continue;
-		block.runs->startCounting();
 		const std::vector<std::uint32_t> met = runsMet(*block.runs, cutRequest(request).probe);
-		if (block.runs->bytesAfter(met) > parts::KeptParts::ofProcess().budget())
+		if (!mustLetGo(*block.runs, met))
 		{
-			block.runs->letGo();
-			++stamp_.cells; // what earlier frames name may be gone
+			block.runs->startCounting();
+			block.runs->fetch(met);
+			continue;
 		}
-		block.runs->fetch(met);
+		grid::Block fresh = block;
+		block.runs->renew(fresh);
+		fresh.runs->fetch(met);
+		block = std::move(fresh);
+		++stamp_.cells; // an earlier frame may name cells that are not here
 	}
 	return Nothing{};
 }

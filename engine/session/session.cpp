@@ -106,7 +106,11 @@ catch (const parts::Unreadable& unreadable)
 Status Session::takeNeighbors(grid::BlockSet built)
 {
 	for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
+	{
 		built.blocks[b].fields = std::move(blocks_.blocks[b].fields);
+		for (grid::Field& field : built.blocks[b].fields)
+			field.is_in_runs = field.is_in_runs && built.blocks[b].runs;
+	}
 	cutter_.reset();
 	blocks_ = std::move(built);
 	return makeCutter();

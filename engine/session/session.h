@@ -37,7 +37,7 @@ namespace vp::session
 // Every program makes its frames by frame(), so all of them find the same cells in the same way.
 //
 // Only one thread at a time may use a session. A thread may draw a frame while another makes the next one, unless
-// needsNeighborsFor() says that the blocks will change.
+// changesBlocksFor() says that the blocks will change.
 
 /// What launching particles needs besides the settings.
 struct LaunchState
@@ -134,6 +134,9 @@ public:
 	/// Returns true if the blocks lack what frame() needs for a request. Then frame() builds it, cells may get other
 	/// numbers, and frames that were made before become invalid.
 	Result<bool> needsNeighborsFor(const FrameRequest& request) const;
+	/// Returns true if frame() would change the blocks: by building neighbors, or by reading parts of them where others
+	/// must go, or all. While it reads some more, other threads may draw what is there.
+	Result<bool> changesBlocksFor(const FrameRequest& request) const;
 
 	/// Sweeps planes through the blocks to find cells that no sound grid has.
 	Result<cut::SweepFindings> findImpossibleCells() { return cut::sweepForImpossibleCases(*cutter_); }

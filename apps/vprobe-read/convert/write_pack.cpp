@@ -1,6 +1,7 @@
 // An unstructured grid in parts that lie together in space: VTKHDF 1.0 in partitions, which VTK reads, and beside it a
 // group `vprobe` that other programs pass over. docs/FORMATS.md describes the group.
 #include "convert.h"
+#include "grid/farthest_points.h"
 #include "grid/labels.h"
 #include "hdf5_output.h"
 #include "pack_division.h"
@@ -79,6 +80,7 @@ public:
 			writeAttribute(own, "CellType", H5T_NATIVE_INT64, count(types[0]));
 		writeCounts(root);
 		writeRuns(own);
+		writeFarthestPoints(own);
 		addCells(root, own);
 		addArrays(root, own, "PointData", grid_->GetPointData(), true);
 		addArrays(root, own, "CellData", grid_->GetCellData(), false);
@@ -115,6 +117,25 @@ private:
 			}
 		writeValues(own, "Boxes", H5T_NATIVE_DOUBLE, {boxes.size(), 6}, boxes.data());
 		writeValues(own, "NumberOfConnectivityIds", H5T_NATIVE_UINT32, {counts.size()}, counts.data());
+	}
+
+	// A camera is set so that it sees all of them.
+	void writeFarthestPoints(hid_t own) const
+	{
+		Box bounds;
+		for (std::size_t part = 0; part < division_.parts(); ++part)
+			for (const auto& [box, ids] : division_.runs(part))
+				if (box.lo[0] <= box.hi[0])
+					bounds.include(Box{{box.lo[0], box.lo[1], box.lo[2]}, {box.hi[0], box.hi[1], box.hi[2]}});
+		grid::FarthestPoints farthest(bounds.center());
+		farthest.include(bounds, static_cast<std::size_t>(grid_->GetNumberOfPoints()),
+		                 [this](std::size_t point)
+		                 {
+			                 const std::array<double, 3> at = division_.place(static_cast<std::uint32_t>(point));
+			                 return Vec3(at[0], at[1], at[2]);
+		                 });
+		const std::vector<Vec3> points = farthest.points();
+		writeValues(own, "FarthestPoints", H5T_NATIVE_DOUBLE, {points.size(), 3}, points.data());
 	}
 
 	void add(hid_t group, const char* name, hid_t type, std::vector<hsize_t> sides,

@@ -181,7 +181,8 @@ void Writer::addDataSet(const std::string& name, vtkDataSet* read)
 		keep(name, wanted);
 }
 
-void Writer::addPack(vtkUnstructuredGrid* grid, json facts, std::span<const std::uint32_t> numbers)
+void Writer::addPack(vtkUnstructuredGrid* grid, json facts, std::span<const std::array<double, 3>> farthest,
+                     std::span<const std::uint32_t> numbers)
 {
 	const std::size_t before = blocks_.size();
 	addDataSet("", grid);
@@ -194,8 +195,8 @@ void Writer::addPack(vtkUnstructuredGrid* grid, json facts, std::span<const std:
 		        fmt::format("{}:{}", array.at("association").get<std::string>(), array.at("name").get<std::string>());
 		    of_arrays.contains(key))
 			array["facts"] = of_arrays.at(key);
-	facts["numbers"] = arrays::writeInt64(cell_writer_, numbers);
-	block["pack"] = std::move(facts);
+	block["pack"] = describePack(std::move(facts), farthest);
+	block["pack"]["numbers"] = arrays::writeInt64(cell_writer_, numbers);
 }
 
 // Takes what is told elsewhere out of the facts. Returns those about arrays.
@@ -209,13 +210,21 @@ json Writer::takePackCounts(json& facts)
 	return of_arrays;
 }
 
-bool Writer::addPackInPlace(const DescribePlaces& describe, json facts)
+json Writer::describePack(json facts, std::span<const std::array<double, 3>> farthest)
+{
+	if (!farthest.empty())
+		facts["farthest"] = writer_.write(grid::NumberType::float64, farthest.data(), farthest.size_bytes());
+	return facts;
+}
+
+bool Writer::addPackInPlace(const DescribePlaces& describe, json facts,
+                            std::span<const std::array<double, 3>> farthest)
 {
 	std::optional<json> block = describe(writer_);
 	if (!block || displacement_.isOn())
 		return false;
 	takePackCounts(facts);
-	(*block)["pack"] = std::move(facts);
+	(*block)["pack"] = describePack(std::move(facts), farthest);
 	for (json& array : left_out_)
 		(*block)["arrays"].push_back(std::move(array));
 	left_out_ = json::array();

@@ -54,13 +54,15 @@ public:
 	// Adds layers of an image, or of a rectilinear or curvilinear grid. Its part has been begun.
 	void addLayers(vtkDataObject* object, const CellLayers& layers);
 	// Adds a grid that was read from a pack. facts: its "pack" (protocol.h), with "flat_cells" and "hidden_cells", and
-	// the "facts" about its arrays as "arrays", by "point:NAME" or "cell:NAME". numbers: its cells in the file that was
-	// packed.
-	void addPack(vtkUnstructuredGrid* grid, nlohmann::json facts, std::span<const std::uint32_t> numbers);
+	// the "facts" about its arrays as "arrays", by "point:NAME" or "cell:NAME", but without lists: its points that are
+	// farthest from the center, and the numbers of its cells in the file that was packed.
+	void addPack(vtkUnstructuredGrid* grid, nlohmann::json facts, std::span<const std::array<double, 3>> farthest,
+	             std::span<const std::uint32_t> numbers);
 	// Adds one whose cells stay in their file, as `describe` describes it (protocol.h). Returns false, and adds
 	// nothing, if that returns nothing.
 	using DescribePlaces = std::function<std::optional<nlohmann::json>(arrays::Writer& writer)>;
-	bool addPackInPlace(const DescribePlaces& describe, nlohmann::json facts);
+	bool addPackInPlace(const DescribePlaces& describe, nlohmann::json facts,
+	                    std::span<const std::array<double, 3>> farthest);
 	// Every data set in `object` that holds three-dimensional cells becomes a block.
 	void add(vtkDataObject* object);
 	// Adds a piece of an image whose subscripts begin with `first`, as a rectilinear block: its points have exactly the
@@ -108,6 +110,7 @@ private:
 
 	void keep(const std::string& name, vtkDataSet* data);
 	nlohmann::json takePackCounts(nlohmann::json& facts);
+	nlohmann::json describePack(nlohmann::json facts, std::span<const std::array<double, 3>> farthest);
 
 	double refine_;
 	ArrayWish wish_;

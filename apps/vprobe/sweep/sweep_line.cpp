@@ -52,10 +52,10 @@ public:
 		return result_.get();
 	}
 
-	/// Returns true if the blocks lack what the frame needs, so that they change. No frame is under way.
+	/// Returns true if the frame changes the blocks, since they lack what it needs. No frame is under way.
 	bool changesBlocks(int frame) const
 	{
-		const Result<bool> lacks = session_.needsNeighborsFor(ask_(frame));
+		const Result<bool> lacks = session_.changesBlocksFor(ask_(frame));
 		return lacks && *lacks; // the frame itself tells what is wrong with it
 	}
 

@@ -47,6 +47,11 @@ std::size_t adjacencyOf(const UnstructuredGrid& grid)
 
 void add(const Block& block, Memory& memory)
 {
+	if (block.runs)
+	{
+		memory.geometry += block.runs->bytesAfter({});
+		return;
+	}
 	memory.geometry += std::visit([](const auto& grid) { return geometryOf(grid); }, block.grid);
 	memory.adjacency += std::visit([](const auto& grid) { return adjacencyOf(grid); }, block.grid);
 	if (block.curved) // the grid has the points

@@ -108,6 +108,7 @@ void buildNeighbors(BlockSet& blocks, bool for_one_cut)
 {
 	if (for_one_cut ? hasNeighbors(blocks) : isComplete(blocks))
 		return;
+	readAllParts(blocks);
 	for (Block& block : blocks.blocks)
 	{
 		const bool is_listed = !hasNeighbors(block);

@@ -7,9 +7,8 @@
 namespace vp::render
 {
 
-/// Returns for all unstructured blocks of a set together the farthest point from the middle in each of some 6000
-/// directions. Their hull differs from that of all points by less than a picture shows. It needs no neighbors. It runs
-/// on all cores and gives the same points for any number of threads.
+/// Returns for all unstructured blocks of a set together the farthest points from the middle (grid/farthest_points.h).
+/// It needs no neighbors.
 std::vector<Vec3> farthestPoints(const grid::BlockSet& blocks);
 
 } // namespace vp::render

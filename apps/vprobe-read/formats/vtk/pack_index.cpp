@@ -49,6 +49,7 @@ PackIndex::PackIndex(const hdf5::File& file, const WantsVtkHdfArray& wants)
 	if (all_points_ > parts_.all_points || all_cells_ != parts_.all_cells)
 		throw damaged("its parts do not make up the whole");
 	listRuns();
+	listFarthest();
 	for (const char* association : {"Point", "Cell"})
 		listArrays(association, wants);
 }
@@ -124,6 +125,18 @@ void PackIndex::listRuns()
 	}
 	if (runs_.empty())
 		throw damaged("it has no cells");
+}
+
+void PackIndex::listFarthest()
+{
+	if (!file_.isSet(kOwn + "/FarthestPoints"))
+		return;
+	const hdf5::Rows rows(file_, descriptor_, kOwn + "/FarthestPoints", NumberType::float64);
+	constexpr std::uint64_t most = 1 << 16;
+	if (rows.components() != 3 || rows.size() > most)
+		throw damaged("its farthest points cannot be");
+	farthest_.resize(rows.size());
+	rows.read(0, rows.size(), farthest_.data());
 }
 
 void PackIndex::listArrays(const std::string& association, const WantsVtkHdfArray& wants)

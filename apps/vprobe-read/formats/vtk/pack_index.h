@@ -57,6 +57,8 @@ public:
 	const std::vector<PackRun>& runs() const { return runs_; }
 	const std::vector<std::array<double, 6>>& boxes() const { return boxes_; } // one for each run
 	const std::vector<PackedArray>& arrays() const { return arrays_; }         // that are wanted
+	// Returns the points that are farthest from the center, empty if the file does not say them.
+	const std::vector<std::array<double, 3>>& farthest() const { return farthest_; }
 	// Returns the type of all cells, or 0 if they have several, or another number of points than it should have.
 	std::uint8_t typeOfAll() const;
 	const VtkHdfParts& parts() const { return parts_; }
@@ -75,6 +77,7 @@ private:
 	template <class Row>
 	std::vector<Row> allRows(const std::string& name, grid::NumberType type, std::uint64_t size) const;
 	void listRuns();
+	void listFarthest();
 	void listArrays(const std::string& association, const WantsVtkHdfArray& wants);
 	nlohmann::json factsOf(const std::string& association, const std::string& name, const hdf5::Rows& values) const;
 	std::uint64_t countOf(const char* name) const;
@@ -86,6 +89,7 @@ private:
 	std::uint64_t all_cells_ = 0;
 	std::vector<PackRun> runs_;
 	std::vector<std::array<double, 6>> boxes_;
+	std::vector<std::array<double, 3>> farthest_;
 	std::vector<PackedArray> arrays_;
 };
 

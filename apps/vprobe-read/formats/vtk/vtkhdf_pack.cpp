@@ -144,7 +144,7 @@ private:
 		grid->SetPoints(points);
 		setCells<Ids>(chosen, connectivity.Get(), grid);
 		addArrays(chosen, numbers, count, grid);
-		manifest_.addPack(grid, index_.facts(chosen.runs.size(), bytes_read_),
+		manifest_.addPack(grid, index_.facts(chosen.runs.size(), bytes_read_), index_.farthest(),
 		                  {cell_numbers.begin(), cell_numbers.end()});
 	}
 
@@ -276,7 +276,7 @@ void readVtkHdfPack(const hdf5::File& file, const Request& request, const WantsV
 {
 	const PackIndex index(file, wants);
 	const auto describe = [&](arrays::Writer& writer) { return describePlaces(index, file.name(), writer); };
-	if (request.wants_places && manifest.addPackInPlace(describe, index.facts(0, 0)))
+	if (request.wants_places && manifest.addPackInPlace(describe, index.facts(0, 0), index.farthest()))
 		return;
 	PackReader(index, request, manifest).read();
 }

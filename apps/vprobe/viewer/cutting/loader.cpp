@@ -41,6 +41,7 @@ void Loader::begin(view::ViewSpec spec)
 			    job->opened = session::Session::open(job->spec, {.use = session::DeviceUse::draw,
 			                                                     // The first picture comes before the neighbors do.
 			                                                     .expect = session::Expect::first_of_many,
+			                                                     .frames_alone = true,
 			                                                     .keep = keep,
 			                                                     .device = device,
 			                                                     .stop = stop});

@@ -25,6 +25,10 @@ struct NeighborBuilder::Job
 			    {
 				    grid::buildNeighbors(*blocks);
 			    }
+			    catch (const parts::Unreadable& unreadable)
+			    {
+				    blocks = Error{ErrorKind::input, unreadable.what()};
+			    }
 			    catch (const std::exception&) // out of memory, or too many faces to number
 			    {
 				    blocks =

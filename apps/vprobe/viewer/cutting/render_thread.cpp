@@ -291,8 +291,9 @@ Status RenderThread::show(const PictureRequest& wish)
 	publish(std::move(shown));
 	rough_ = true;
 	// The picture is there; now comes what makes a moved cut fast.
-	if (!grid::hasNeighbors(at_->session->blocks()))
-		neighbors_.begin(at_->session->blocks());
+	if (const grid::BlockSet& blocks = at_->session->blocks();
+	    !grid::hasNeighbors(blocks) && !grid::lacksParts(blocks)) // of parts those are read that are cut
+		neighbors_.begin(blocks);
 	return Nothing{};
 }
 
