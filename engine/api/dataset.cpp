@@ -62,7 +62,10 @@ Result<Dataset> Dataset::open(const std::vector<std::string>& files, const OpenO
 		    spec.machine = machineOf(options.classify, options.device);
 		    Result<std::shared_ptr<DatasetState>> state = DatasetState::of(vp::session::Session::open(
 		        std::move(spec),
-		        {.expect = vp::session::Expect::one_cut, .follow = options.follow, .stop = options.stop}));
+		        {.expect = vp::session::Expect::one_cut,
+		         .frames_alone = options.keeps_parts,
+		         .follow = options.follow,
+		         .stop = options.stop}));
 		    return state ? Result<Dataset>(Dataset(std::move(*state))) : state.error();
 	    });
 }
@@ -153,6 +156,16 @@ std::vector<ArrayInfo> Dataset::arrays() const
 			if (const ArrayInfo info = infoOf(field); !isKnown(info))
 				arrays.push_back(info);
 	return arrays;
+}
+
+Status Dataset::readAll(std::stop_token stop) const
+{
+	return guarded(
+	    [&]() -> Status
+	    {
+		    const std::lock_guard lock(state_->mutex);
+		    return publicStatus(state_->session->readAllParts(stop));
+	    });
 }
 
 HeldBlock Dataset::block(std::size_t index) const

@@ -3,6 +3,7 @@
 #include "base/progress.h"
 #include "base/timeline.h"
 #include "parts/kept_parts.h"
+#include "parts/stoppable.h"
 #include "session/session.h"
 #include "surface/curved.h"
 
@@ -64,13 +65,13 @@ Result<bool> Session::changesBlocksFor(const FrameRequest& request) const
 }
 
 // Reads what the frame needs of cells that are still in their file: those that it meets, or all.
-Status Session::readParts(const FrameRequest& request)
+Status Session::readParts(const FrameRequest& request, const std::stop_token& stop)
 {
 	const Result<bool> lacks = needsNeighborsFor(request);
 	if (!lacks)
 		return lacks.error();
 	if (*lacks || !looksAtCutAlone(spec_))
-		return readAllParts();
+		return readAllParts(stop);
 	const TimedSection section(timeline_.get(), "read");
 	for (grid::Block& block : blocks_.blocks)
 	{
@@ -92,15 +93,27 @@ Status Session::readParts(const FrameRequest& request)
 	return Nothing{};
 }
 
-Status Session::readAllParts()
+Status Session::readAllParts(const std::stop_token& stop)
+try
 {
+	if (!grid::lacksParts(blocks_))
+		return Nothing{};
 	const Progress progress("reading all parts");
 	const TimedSection section(timeline_.get(), "read");
+	const parts::Stoppable reading(stop);
 	for (grid::Block& block : blocks_.blocks)
 		if (block.runs)
 			block.runs->startCounting();
 	grid::readAllParts(blocks_);
 	return Nothing{};
+}
+catch (const parts::Stopped&)
+{
+	return Error{ErrorKind::cancelled, "reading was cancelled"};
+}
+catch (const parts::Unreadable& unreadable)
+{
+	return Error{ErrorKind::input, unreadable.what()};
 }
 
 } // namespace vp::session

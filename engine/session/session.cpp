@@ -3,7 +3,6 @@
 #include "base/messages.h"
 #include "base/progress.h"
 #include "base/stop_scope.h"
-#include "parts/stoppable.h"
 #include "ranks/search/rank_to_rank.h"
 #include "session/frame.h"
 
@@ -70,10 +69,8 @@ try
 {
 	if (grid::isComplete(blocks_))
 		return Nothing{};
-	const parts::Stoppable reading(stop);
-	if (grid::lacksParts(blocks_))
-		if (Status read = readAllParts(); !read)
-			return read;
+	if (Status read = readAllParts(stop); !read)
+		return read;
 	{
 		const Progress progress("finding neighbors");
 		if (stop.stop_possible() || !std::ranges::all_of(blocks_.blocks, hasCheckedIds)) // it may fail
@@ -93,14 +90,6 @@ try
 catch (const grid::WrongPoint& wrong)
 {
 	return Error{ErrorKind::input, wrong.what()};
-}
-catch (const parts::Stopped& stopped)
-{
-	return Error{ErrorKind::cancelled, stopped.what()};
-}
-catch (const parts::Unreadable& unreadable)
-{
-	return Error{ErrorKind::input, unreadable.what()};
 }
 
 Status Session::takeNeighbors(grid::BlockSet built)
@@ -385,7 +374,7 @@ Result<bool> Session::needsNeighborsFor(const FrameRequest& request) const
 Status Session::prepareFor(const FrameRequest& request, const std::stop_token& stop)
 {
 	if (grid::lacksParts(blocks_))
-		if (Status read = readParts(request); !read)
+		if (Status read = readParts(request, stop); !read)
 			return read;
 	const Result<bool> lacks = needsNeighborsFor(request);
 	if (!lacks)

@@ -141,6 +141,9 @@ public:
 	/// Sweeps planes through the blocks to find cells that no sound grid has.
 	Result<cut::SweepFindings> findImpossibleCells() { return cut::sweepForImpossibleCases(*cutter_); }
 
+	/// Reads what is left of the blocks in files (grid::lacksParts). A stop request ends it with ErrorKind::cancelled.
+	Status readAllParts(const std::stop_token& stop = {});
+
 	/// Builds what the blocks lack for further cuts (grid::isComplete), such as neighbors of cells, and a new cutter.
 	/// Frames that were made before become invalid. A stop request ends it with ErrorKind::cancelled, and leaves all as
 	/// it was.
@@ -217,8 +220,7 @@ private:
 	Status makeCutter();
 	Status buildNeighborsOfCopy();
 	Status prepareFor(const FrameRequest& request, const std::stop_token& stop);
-	Status readParts(const FrameRequest& request);
-	Status readAllParts();
+	Status readParts(const FrameRequest& request, const std::stop_token& stop);
 	const Frame* usableLast(const FrameRequest& request) const;
 	Result<cut::Cut> find(const FrameRequest& request, const Frame* last, const std::stop_token& stop);
 	Result<cut::Cut> cut(const FrameRequest& request, std::shared_ptr<const cut::Cut> last, std::stop_token stop);

@@ -2,6 +2,7 @@
 import json
 import shutil
 import subprocess
+import time
 
 import against
 from against import VPROBE, info, mixed_mesh, need, tried, vprobe
@@ -87,6 +88,45 @@ def packs_read_what_is_cut(folder):
     assert told['met'] < 0.7 * told['all'] and told['bytes_read'] < 0.9 * pack.stat().st_size, told
 
 
+def swept(path, folder, *options):
+    """The sheets and the parts of each frame."""
+    vprobe('sweep', path, '--normal', '0.3', '0.5', '0.81', '--frames', '16', '--array', 'f', *options,
+           '--stats', folder / 'stats.json')
+    frames = json.loads((folder / 'stats.json').read_text())['frames']
+    return [[{k: v for k, v in sheet.items() if k not in OWN} for sheet in frame['sheets']] for frame in frames], \
+           [frame['parts'] for frame in frames]
+
+
+def packs_are_swept_as_their_inputs(folder):
+    """A run is read once, when a sheet comes to it. With little memory it goes again, and the figures stay."""
+    path, pack = packed(folder, '--part', '64')
+    for options in ([], ['--memory', '20K'], ['--probe', 'trihedral'], ['-o', folder / 'f{frame}.png']):
+        (wanted, _), (got, parts) = (swept(each, folder, *options) for each in (path, pack))
+        for frame, (a, b) in enumerate(zip(wanted, got, strict=True)):
+            for one, other in zip(a, b, strict=True):
+                unlike = {key: (one[key], other[key]) for key in one if not same(one[key], other[key])}
+                assert not unlike, (options, frame, unlike)
+        read = sum(each['read'] for each in parts)
+        if '--memory' in options:
+            assert parts[-1]['kept'] < parts[-1]['all'] < read, (read, parts)
+        else:
+            assert parts[0]['kept'] < read == parts[-1]['kept'] <= parts[-1]['all'], (read, parts)
+
+
+def packs_that_change_in_a_sweep_are_told(folder):
+    """What was read stays right, and a file that is cut short ends the sweep in one line."""
+    _, pack = packed(folder, '--part', '64')
+    film = folder / 'frames' / 'f{frame}.png'
+    sweep = subprocess.Popen([VPROBE, 'sweep', pack, '--normal', '0', '0', '1', '--frames', '400', '--size', '40x30',
+                              '-o', film], stderr=subprocess.PIPE, encoding='utf-8')
+    while not (folder / 'frames' / 'f3.png').exists() and sweep.poll() is None:
+        time.sleep(0.01)
+    with open(pack, 'r+b') as file:
+        file.truncate(3000)
+    said = sweep.communicate()[1].strip().splitlines()
+    assert sweep.returncode == 2 and len(said) == 1 and 'shorter while it was open' in said[0], (sweep.returncode, said)
+
+
 def packs_are_whole_where_that_is_asked(folder):
     """What looks beyond the cut cells reads all parts, as all other commands do."""
     path, pack = packed(folder, '--part', '64')
@@ -115,6 +155,19 @@ def packs_look_like_their_inputs(folder):
             # Without the letters of the title, which has the file's name.
             pictures.append(sorted(line for line in out.read_text().splitlines() if 'fill:rgb' in line))
         assert pictures[0] == pictures[1], array
+
+
+def packs_are_drawn_as_their_inputs(folder):
+    """The camera sees the same, although it has not met most points."""
+    path, pack = packed(folder, '--part', '64')
+    for options in (['--normal', '0.3', '0.5', '0.81'], ['--probe', 'trihedral', '--array', 'v']):
+        pictures = []
+        for each in (path, pack):
+            out = folder / 'picture.png'
+            vprobe('render', each, *options, '--size', '320x240', '--title', '', '-o', out)
+            pictures.append(out.read_bytes())
+            out.unlink()
+        assert pictures[0] == pictures[1], options
 
 
 def packs_tell_cells_that_are_left_out(folder):
@@ -286,6 +339,7 @@ def packing_refuses(folder):
         assert not (folder / 'a.vtkhdf').exists()
 
 
-CASES = [packs_are_cut_as_their_inputs, packs_read_what_is_cut, packs_are_whole_where_that_is_asked,
-         packs_look_like_their_inputs, packs_tell_cells_that_are_left_out,
+CASES = [packs_are_cut_as_their_inputs, packs_read_what_is_cut, packs_are_swept_as_their_inputs,
+         packs_that_change_in_a_sweep_are_told, packs_are_whole_where_that_is_asked,
+         packs_look_like_their_inputs, packs_are_drawn_as_their_inputs, packs_tell_cells_that_are_left_out,
          packs_are_converted_and_packed_again, arrays_that_become_alike_are_kept, vtk_reads_packs, packs_in_chunks, damaged_packs_are_refused, packing_refuses]

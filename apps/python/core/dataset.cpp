@@ -57,7 +57,8 @@ Dataset openFiles(std::vector<std::string> files, std::string time, std::string 
 	                            .inputs = std::move(inputs),
 	                            .cell_to_point = cell_to_point,
 	                            .follow = std::move(follow),
-	                            .level = level};
+	                            .level = level,
+	                            .keeps_parts = true};
 	return run(
 	    [files = std::move(files), options = std::move(options)](std::stop_token stop) mutable
 	    {
@@ -110,6 +111,7 @@ py::tuple blockOf(const Dataset& data, std::size_t index)
 {
 	if (index >= ask([data] { return data.blockCount(); }))
 		throw py::index_error();
+	run([data](std::stop_token stop) { return data.readAll(std::move(stop)); });
 	const vprobe::HeldBlock block = ask([data, index] { return data.block(index); });
 	py::list coordinates;
 	for (const vprobe::Numbers& each : block.coordinates)

@@ -126,6 +126,9 @@ struct OpenOptions
 	// that you trust
 	std::vector<std::string> follow{};
 	int level = 0; // which of several resolutions of an image (OME-Zarr), 0 the finest
+	// The cells of a pack (`vprobe pack`, docs/LARGE.md) stay in its file, and cuts read those that they meet. Then call
+	// readAll() before block().
+	bool keeps_parts = false;
 };
 
 /// Values of arrays at points.
@@ -185,6 +188,9 @@ public:
 	std::pair<Vector3, Vector3> bounds() const; // low and high corner
 	std::vector<double> times() const;          // times in the files, ascending
 	std::vector<ArrayInfo> arrays() const;
+	/// Reads what OpenOptions::keeps_parts has left in the file. On a stop request, reading ends with
+	/// ErrorKind::cancelled.
+	Status readAll(std::stop_token stop = {}) const;
 	/// index < blockCount().
 	HeldBlock block(std::size_t index) const;
 	MemoryUse memory() const;

@@ -1,5 +1,4 @@
 #include "read/child.h"
-#include "read/packed_grid.h"
 #include "read/protocol.h"
 #include "read/read.h"
 #include "read/reader_process.h"
@@ -335,60 +334,4 @@ TEST(InputPath, LimitsFollowTheBytes)
 	EXPECT_EQ(small->time.count(), 15);
 	EXPECT_EQ(large->time.count(), 25);
 	EXPECT_GE(large->memory, small->memory);
-}
-
-// A reader that asks which parts of a pack are wanted: a text, and one box.
-TEST_F(ScriptedReader, ThatAsksForPartsIsAnswered)
-{
-	const std::string question = R"({"points": 8, "cells": 5, "arrays": []})";
-	const std::string ask =
-	    fmt::format(R"(printf 'vparts?\n\{:03o}\0\0\0\0\0\0\0\1\0\0\0\0\0\0\0{}' >&4; head -c 48 /dev/zero >&4; )",
-	                question.size(), question);
-	const std::string tell = "head -c 8 | od -An -tu8 >&4; od -An -tu8 /proc/self/fd/5 >&4";
-	std::size_t cells = 0;
-	ReadOptions options;
-	options.choose_parts = [&](const PackedGrid& grid)
-	{
-		cells = grid.cells;
-		return std::optional(std::vector<std::uint64_t>{0});
-	};
-	const Result<HandedOver> handed = run(ask + tell, options);
-	ASSERT_TRUE(handed) << handed.error().message;
-	EXPECT_EQ(cells, 5u);
-	std::istringstream words(handed->manifest);
-	std::uint64_t count = 0, number = 7;
-	words >> count >> number;
-	EXPECT_EQ(count, 1u);
-	EXPECT_EQ(number, 0u);
-
-	options.choose_parts = [](const PackedGrid&) { return std::nullopt; };
-	const Result<HandedOver> all = run(ask + "head -c 8 | od -An -tu8 >&4", options);
-	ASSERT_TRUE(all) << all.error().message;
-	EXPECT_EQ(std::stoull(all->manifest), kAllParts);
-
-	// Other readers do not ask.
-	const Result<HandedOver> other = run("echo '{\"version\": 1}' >&4", options);
-	ASSERT_TRUE(other) << other.error().message;
-	EXPECT_EQ(other->manifest, "{\"version\": 1}\n");
-}
-
-TEST_F(ScriptedReader, ThatAsksBadlyIsAnInputError)
-{
-	ReadOptions options;
-	bool was_asked = false;
-	options.choose_parts = [&](const PackedGrid&)
-	{
-		was_asked = true;
-		return std::nullopt;
-	};
-	for (const char* script : {R"(printf 'vparts?\n\0\0\0\0\0\0\0\1\1\0\0\0\0\0\0\0' >&4)",
-	                           R"(printf 'vparts?\n\2\0\0\0\0\0\0\0\1\0\0\0\0\0\0\1{}' >&4)",
-	                           R"(printf 'vparts?\n\2\0\0\0\0\0\0\0\1\0\0\0\0\0\0\0{}' >&4; head -c 48 /dev/zero >&4)",
-	                           R"(printf 'vparts?\n\2\0' >&4)", R"(printf 'vparts?\n' >&4)", "echo >&4"})
-	{
-		const Result<HandedOver> handed = run(script, options);
-		ASSERT_FALSE(handed) << script;
-		EXPECT_EQ(handed.error().kind, ErrorKind::input) << script;
-	}
-	EXPECT_FALSE(was_asked);
 }

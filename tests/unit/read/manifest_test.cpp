@@ -1,7 +1,7 @@
 #include "grid/array_facts.h"
 #include "read/manifest.h"
-#include "read/packed_grid.h"
 #include "read/protocol.h"
+#include "sample_files.h"
 #include "tries.h"
 
 #include <gtest/gtest.h>
@@ -63,12 +63,12 @@ public:
 	}
 
 	Result<CheckedInput> check() const { return check(text()); }
-	Result<CheckedInput> check(const std::string& text) const
+	Result<CheckedInput> check(const std::string& text, const std::string& file = {}) const
 	{
 		// Copied, so that reading past the end shows under a sanitizer.
 		const auto copy = std::make_shared<std::vector<std::byte>>(bytes_);
 		const SharedBytes shared = {copy, {copy->data(), copy->size()}};
-		return checkManifest(text, shared, shared);
+		return checkManifest(text, shared, shared, file);
 	}
 
 private:
@@ -202,27 +202,70 @@ TEST(Manifest, RefusesAPackThatContradictsItself)
 	}
 }
 
-TEST(Manifest, ChecksWhatAReaderTellsOfAPack)
+// Counts of a pack that only tell.
+bool isOneOfCounts(const std::string& key)
 {
-	const std::array<double, 6> box = {0.0, 0.0, 0.0, 1.0, 2.0, 3.0};
-	const double infinity = std::numeric_limits<double>::infinity();
-	const std::array<double, 6> none = {infinity, infinity, infinity, -infinity, -infinity, -infinity};
-	json about = {{"points", 8},
-	              {"cells", 4},
-	              {"arrays", {{{"name", "f"}, {"association", "cell"}, {"type", "int16"}, {"components", 3}}}}};
-	const Result<PackedGrid> grid = checkPackedGrid(about.dump(), {box, none});
-	ASSERT_TRUE(grid) << grid.error().message;
-	EXPECT_EQ(grid->bounds().hi.z, 3.0);
-	EXPECT_TRUE(grid->parts[1].empty());
-	EXPECT_EQ(grid->fields[0].components, 3);
-	EXPECT_FALSE(checkPackedGrid(about.dump(), {}));
-	EXPECT_FALSE(checkPackedGrid(about.dump(), {{0.0, 0.0, 0.0, 1.0, 1.0, infinity}}));
-	EXPECT_FALSE(checkPackedGrid("{", {box}));
-	EXPECT_FALSE(checkPackedGrid(std::string(1000, '['), {box}));
-	about["arrays"][0]["components"] = 0;
-	EXPECT_FALSE(checkPackedGrid(about.dump(), {box}));
-	about["arrays"][0].erase("components");
-	EXPECT_FALSE(checkPackedGrid(about.dump(), {box}));
+	return key == "bytes_read" || key == "cells_without_place" || key == "parts" || key == "tuples";
+}
+
+// A pack of one tetrahedron, whose lists lie in a file of zeros.
+Made makePlacedPack(const std::string& file)
+{
+	Made made;
+	const auto counts = [&](std::uint64_t count) { return made.array<std::uint64_t>("uint64", {count}); };
+	json array = {{"name", "f"}, {"association", "point"}, {"components", 1}, {"type", "float32"}, {"offset", 0}};
+	array["facts"] = {{"tuples", 4}, {"values", json::array()}, {"changes", {0, 0}}};
+	array["facts"]["spans"] = json::array({{0.0, 0.0, false, false}, {0.0, 0.0, false, false}});
+	json block = {{"name", "pack"}, {"kind", "packed"}, {"file", file}, {"type", 10}, {"type_of_points", "float64"}};
+	block["runs"] = {{"boxes", made.array<double>("float64", {0, 0, 0, 1, 1, 1})},
+	                 {"cells", counts(1)},
+	                 {"ids", counts(4)},
+	                 {"parts", counts(0)}};
+	block["part_cells"] = counts(1);
+	block["part_points"] = counts(4);
+	block["lists"] = {{"points", 0}, {"point_numbers", 8}, {"ids", 16}, {"cell_numbers", 24}};
+	block["arrays"] = json::array({array});
+	block["pack"] = {
+	    {"points", 4}, {"cells", 1},      {"cells_without_place", 2}, {"bounds", {0.0, 0.0, 0.0, 1.0, 1.0, 1.0}},
+	    {"parts", 1},  {"parts_read", 0}, {"bytes_read", 0}};
+	made.manifest()["blocks"].push_back(std::move(block));
+	return made;
+}
+
+TEST(Manifest, ChecksThePlacesOfAPack)
+{
+	const TemporaryFolder folder;
+	const std::string file = folder / "pack.vtkhdf";
+	writeContents(file, std::string(96, '\0'));
+	Made made = makePlacedPack(file);
+	const Result<CheckedInput> input = made.check(made.text(), file);
+	ASSERT_TRUE(input) << input.error().message;
+	EXPECT_EQ(input->blocks[0].runs->runs().size(), 1u);
+	EXPECT_EQ(input->blocks[0].whole->farthest.size(), 8u); // the corners of the box
+	EXPECT_EQ(input->unplaced, 2u);
+	EXPECT_TRUE(input->blocks[0].fields[0].is_in_runs);
+	EXPECT_FALSE(made.check()); // no file may be read
+
+	// Without any one of its values, and with others in their places.
+	const json whole = made.manifest();
+	for (const char* within :
+	     {"/blocks/0", "/blocks/0/runs", "/blocks/0/lists", "/blocks/0/arrays/0", "/blocks/0/pack"})
+		for (const auto& [key, value] : whole.at(json::json_pointer(within)).items())
+			for (const json& other : {json(), json("x"), json(-1), json(1000), json::object()})
+			{
+				const bool is_words = key == "name" && other.is_string();
+				const bool is_count = isOneOfCounts(key) && other == 1000;
+				json changed = whole;
+				json& parent = changed.at(json::json_pointer(within));
+				if (other.is_null())
+					parent.erase(key);
+				else
+					parent[key] = other;
+				EXPECT_EQ(bool(made.check(changed.dump(), file)), is_words || is_count)
+				    << within << " " << key << other;
+			}
+	writeContents(file, std::string(95, '\0')); // shorter than the places of its points
+	EXPECT_FALSE(made.check(made.text(), file));
 }
 
 } // namespace

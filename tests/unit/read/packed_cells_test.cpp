@@ -1,0 +1,251 @@
+#include "grid/block.h"
+#include "read/check_mesh.h"
+#include "read/packed_cells.h"
+#include "read/read.h"
+#include "sample_files.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <initializer_list>
+
+using namespace vp;
+using namespace vp::read;
+
+namespace
+{
+
+// Two tetrahedra of five points with a common face, each a part of its own. The second reaches to x = 3.
+struct TwoParts
+{
+	TemporaryFolder folder;
+	std::string path = folder / "two";
+	std::string bytes;
+	std::vector<float> places{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 3, 1, 1};
+	std::vector<std::uint32_t> point_numbers{0, 1, 2, 3, 1, 2, 3, 4};
+	std::vector<std::int32_t> ids{0, 1, 2, 3, 0, 2, 1, 3};
+	std::vector<double> f{0, 10, 20, 30, 10, 20, 30, 40};
+	std::vector<std::int16_t> g{1, 2, 3, 4};
+	std::uint8_t type = grid::kTetra;
+	std::vector<std::int32_t> ends{0, 4, 0, 4};
+
+	template <class T>
+	PackedCells::List list(const std::vector<T>& values, std::size_t in_row)
+	{
+		const std::uint64_t offset = bytes.size() + 7; // nothing needs to be aligned
+		bytes.resize(offset);
+		bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+		return {offset, in_row * sizeof(T)};
+	}
+
+	PackedCells::Contents contents()
+	{
+		grid::Field of_points, of_cells;
+		of_points.name = "f";
+		of_points.type = grid::NumberType::float64;
+		of_cells.name = "g";
+		of_cells.association = grid::Association::cell;
+		of_cells.components = 2;
+		of_cells.type = grid::NumberType::int16;
+		PackedCells::Contents contents;
+		contents.runs = {{{{0, 0, 0}, {1, 1, 1}}, 0, 1, 0}, {{{0, 0, 0}, {3, 1, 1}}, 1, 1, 1}};
+		contents.run_ids = {4, 4};
+		contents.all_cells = {1, 1};
+		contents.points = {4, 4};
+		contents.all_points = 5;
+		contents.type = type;
+		contents.places = list(places, 3);
+		contents.point_numbers = list(point_numbers, 1);
+		contents.ids = list(ids, 1);
+		contents.cell_numbers = list(std::vector<std::uint32_t>{7, 9}, 1);
+		contents.types = list(std::vector<std::uint8_t>{grid::kTetra, grid::kTetra}, 1);
+		contents.ends = list(ends, 1);
+		contents.arrays = {{of_points, list(f, 1)}, {of_cells, list(g, 2)}};
+		writeContents(path, bytes);
+		contents.file = std::make_shared<const parts::OpenFile>(path);
+		return contents;
+	}
+};
+
+std::vector<std::int64_t> idsOf(const PackedCells& cells)
+{
+	const grid::CellList list = cells.cells();
+	std::vector<std::int64_t> ids;
+	for (std::size_t i = 0; i < list.connectivity.size(); ++i)
+		ids.push_back(list.connectivity[i]);
+	return ids;
+}
+
+void fetch(grid::CellRuns& cells, std::initializer_list<std::uint32_t> runs)
+{
+	cells.fetch(std::vector<std::uint32_t>(runs));
+}
+
+// x = `at`
+struct AcrossX
+{
+	double at;
+	bool meets(const Box& box) const { return box.lo.x <= at && at <= box.hi.x; }
+};
+
+} // namespace
+
+TEST(PackedCells, AreReadRunByRun)
+{
+	for (const std::uint8_t type : {grid::kTetra, std::uint8_t(0)}) // told of all, or of each
+	{
+		TwoParts two;
+		two.type = type;
+		PackedCells cells(two.contents());
+		EXPECT_EQ(cells.meeting(AcrossX{2.0}), std::vector<std::uint32_t>{1});
+		EXPECT_EQ(cells.meeting(AcrossX{0.5}), (std::vector<std::uint32_t>{0, 1}));
+		EXPECT_TRUE(cells.meeting(AcrossX{5.0}).empty());
+
+		fetch(cells, {1});
+		EXPECT_EQ(idsOf(cells), (std::vector<std::int64_t>{0, 0, 0, 0, 1, 3, 2, 4}));
+		EXPECT_EQ(cells.points()[4], Vec3(3.0, 1.0, 1.0));
+		EXPECT_EQ(cells.fields()[0].value(4, 0), 40.0);
+		EXPECT_EQ(cells.fields()[1].value(1, 1), 4.0);
+		EXPECT_EQ(cells.cellNumbers()[1], 9);
+		EXPECT_EQ(cells.cells().types[1], grid::kTetra);
+		EXPECT_EQ(cells.cells().start(1), 4u);
+		EXPECT_EQ(cells.pointsOf(1)[3], 4u);
+		const std::uint64_t of_part = 4 * (12 + 4 + 8), of_run = 16 + 4 + 4 + (type == 0 ? 1 + 4 : 0);
+		parts::PartUse use = cells.use();
+		EXPECT_EQ(use.all, 2u);
+		EXPECT_EQ(use.kept, 1u);
+		EXPECT_EQ(use.read, 1u);
+		EXPECT_EQ(use.bytes_read, of_part + of_run);
+
+		cells.startCounting();
+		fetch(cells, {0, 1});
+		EXPECT_EQ(idsOf(cells), (std::vector<std::int64_t>{0, 1, 2, 3, 1, 3, 2, 4}));
+		use = cells.use();
+		EXPECT_EQ(use.met, 2u);
+		EXPECT_EQ(use.read, 1u);
+		EXPECT_EQ(use.bytes_met, 2 * (of_part + of_run));
+		EXPECT_EQ(use.bytes_read, of_part + of_run);
+	}
+}
+
+TEST(PackedCells, AreRenewedForTheirBlockAlone)
+{
+	TwoParts two;
+	const auto cells = std::make_shared<PackedCells>(two.contents());
+	fetch(*cells, {0, 1});
+	grid::Block block;
+	block.grid = grid::UnstructuredGrid::listedInRuns(cells->points(), cells->cells());
+	block.fields = cells->fields();
+	block.whole = std::make_shared<grid::WholeGrid>();
+	block.runs = cells;
+	const grid::Block copy = block;
+	cells->renew(block);
+	fetch(*block.runs, {0});
+	EXPECT_EQ(block.runs->use().kept, 1u);
+	EXPECT_EQ(block.fields[0].value(4, 0), 0.0);
+	EXPECT_EQ(block.fields[0].value(3, 0), 30.0);
+	EXPECT_EQ(copy.fields[0].value(4, 0), 40.0);
+	EXPECT_EQ(std::get<grid::UnstructuredGrid>(copy.grid).point(4), Vec3(3.0, 1.0, 1.0));
+	EXPECT_EQ(block.whole->cell_numbers[0], 7);
+}
+
+TEST(PackedCells, ThatContradictThemselvesAreRefused)
+{
+	using Damage = std::function<void(PackedCells::Contents&)>;
+	const std::vector<Damage> damages = {
+	    [](auto& c) { c.runs.clear(); },
+	    [](auto& c) { c.runs[1].part = 2; },
+	    [](auto& c) { c.runs[0].part = 1; },
+	    [](auto& c) { c.runs[1].cells = 0; },
+	    [](auto& c) { c.runs[1].cells = 2; },
+	    [](auto& c) { c.runs[1].first_cell = 2; },
+	    [](auto& c) { c.runs[1].box = Box(); },
+	    [](auto& c) {
+		    c.run_ids = {4, 5};
+	    },
+	    [](auto& c) { c.run_ids = {4}; },
+	    [](auto& c) { c.all_cells = {1}; },
+	    [](auto& c) {
+		    c.all_cells = {0, 1};
+	    },
+	    [](auto& c) { c.points[1] = std::uint64_t(1) << 40; },
+	    [](auto& c) { c.points[1] = 60; },
+	    [](auto& c) { c.all_points = 0; },
+	    [](auto& c) { c.all_points = std::uint64_t(1) << 33; },
+	    [](auto& c) { c.type = 5; },
+	    [](auto& c) { c.ids.offset = ~std::uint64_t(0); },
+	    [](auto& c) { c.arrays[1].list.offset += 5; },
+	    [](auto& c) { c.arrays[0].list.row_bytes = 0; },
+	};
+	for (std::size_t d = 0; d < damages.size(); ++d)
+	{
+		TwoParts two;
+		PackedCells::Contents contents = two.contents();
+		damages[d](contents);
+		EXPECT_THROW(PackedCells(std::move(contents)), Unusable) << d;
+	}
+}
+
+TEST(PackedCells, ThatAreDamagedInTheFileAreToldWhereTheyAreRead)
+{
+	using Damage = std::function<void(TwoParts&)>;
+	const std::vector<Damage> damages = {
+	    [](TwoParts& two) { two.ids[5] = 4; },           [](TwoParts& two) { two.ids[5] = -1; },
+	    [](TwoParts& two) { two.point_numbers[5] = 1; }, [](TwoParts& two) { two.point_numbers[7] = 5; },
+	    [](TwoParts& two) { two.places[21] = 3.5f; },    [](TwoParts& two) { two.places[22] = NAN; },
+	};
+	const std::vector<Damage> damages_of_ends = {
+	    [](TwoParts& two) { two.ends[3] = 3; },
+	    [](TwoParts& two) {
+		    two.ends = {0, 4, 4, 0};
+	    },
+	};
+	const auto expectTold = [](const Damage& damage, std::uint8_t type)
+	{
+		TwoParts two;
+		two.type = type;
+		damage(two);
+		PackedCells cells(two.contents());
+		fetch(cells, {0});
+		EXPECT_THROW(fetch(cells, {0, 1}), parts::Unreadable);
+		EXPECT_EQ(cells.use().kept, 1u);
+	};
+	for (const Damage& damage : damages)
+		expectTold(damage, grid::kTetra);
+	for (const Damage& damage : damages_of_ends)
+		expectTold(damage, 0);
+}
+
+TEST(PackedCells, OfAFileThatWasCutShortAreTold)
+{
+	TwoParts two;
+	PackedCells cells(two.contents());
+	std::filesystem::resize_file(two.path, 20);
+	EXPECT_THROW(fetch(cells, {0}), parts::Unreadable);
+}
+
+// The pack among the samples, with its cells left in the file and then read, and read as a whole.
+TEST(PackedCells, AreThoseOfTheWhole)
+{
+	const auto sample = std::ranges::find(sampleFiles(), "packed.vtkhdf", &SampleFile::name);
+	ASSERT_NE(sample, sampleFiles().end());
+	const TemporaryFolder folder;
+	const std::string path = folder / sample->name;
+	sample->write(path);
+	auto kept = readInputs({path}, {.keeps_in_runs = true}, nullptr);
+	ASSERT_TRUE(kept) << kept.error().message;
+	ASSERT_TRUE(grid::lacksParts(*kept));
+	EXPECT_EQ(kept->cellCount(), sample->cells);
+	EXPECT_EQ(kept->pointCount(), sample->points);
+	EXPECT_EQ(grid::partUse(*kept)->kept, 0u);
+	grid::buildNeighbors(*kept);
+	EXPECT_FALSE(grid::lacksParts(*kept));
+	const auto whole = readInputs({path}, {}, nullptr);
+	ASSERT_TRUE(whole) << whole.error().message;
+	EXPECT_EQ(kept->bounds().hi, whole->bounds().hi);
+	EXPECT_EQ(grid::partUse(*kept)->read, grid::partUse(*whole)->read);
+	expectSampleValues(kept->blocks[0], true);
+	const auto numberOf = [](const grid::BlockSet& set, CellId cell) { return grid::cellNumber(set.blocks[0], cell); };
+	for (CellId cell = 0; cell < sample->cells; ++cell)
+		EXPECT_EQ(numberOf(*kept, cell), numberOf(*whole, cell)) << cell;
+}
