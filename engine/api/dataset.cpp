@@ -60,12 +60,11 @@ Result<Dataset> Dataset::open(const std::vector<std::string>& files, const OpenO
 		    spec.input.format = options.format;
 		    spec.input.cell_to_point = options.cell_to_point;
 		    spec.machine = machineOf(options.classify, options.device);
-		    Result<std::shared_ptr<DatasetState>> state = DatasetState::of(vp::session::Session::open(
-		        std::move(spec),
-		        {.expect = vp::session::Expect::one_cut,
-		         .frames_alone = options.keeps_parts,
-		         .follow = options.follow,
-		         .stop = options.stop}));
+		    Result<std::shared_ptr<DatasetState>> state =
+		        DatasetState::of(vp::session::Session::open(std::move(spec), {.expect = vp::session::Expect::one_cut,
+		                                                                      .frames_alone = options.keeps_parts,
+		                                                                      .follow = options.follow,
+		                                                                      .stop = options.stop}));
 		    return state ? Result<Dataset>(Dataset(std::move(*state))) : state.error();
 	    });
 }

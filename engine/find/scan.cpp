@@ -153,7 +153,7 @@ public:
 	/// Looks at the cells of runs that are in memory.
 	Scan scan(const grid::CellRuns& all, std::span<const std::uint32_t> runs)
 	{
-		std::vector<std::uint32_t> parts; // of the file, each once
+		std::vector<std::uint32_t> parts; // each once
 		for (const std::uint32_t run : runs)
 			if (const std::uint32_t part = all.runs()[run].part; parts.empty() || parts.back() != part)
 				parts.push_back(part);

@@ -32,7 +32,7 @@ struct Scan
 /// and codes are those of breadthFirst(), without generations; cells that the filter rejects or that lie beside the
 /// window are left out of the list. The same result for any number of threads. Memory: a byte a point.
 ///
-/// Of a block with runs it looks at those alone that the surface may meet (grid::CellRuns::meeting()), which must have
+/// If the block has runs, it looks at those alone that the surface may meet (grid::CellRuns::meeting()). They must have
 /// been fetched.
 ///
 /// Throws grid::WrongPoint if the ids of the cells have not been checked, and one names no point.

@@ -27,7 +27,7 @@ struct CurvedCells; // curved_cells.h
 
 using AnyGrid = std::variant<UniformGrid, RectilinearGrid, CurvilinearGrid, UnstructuredGrid>;
 
-// What the file says of an unstructured grid that it has in parts.
+// An unstructured grid that its file has in parts, as the file describes it.
 struct WholeGrid
 {
 	std::size_t points = 0; // those of several parts count once

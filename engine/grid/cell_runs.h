@@ -24,7 +24,7 @@ public:
 		Box box; // around the points of its cells
 		std::uint64_t first_cell;
 		std::uint32_t cells;
-		std::uint32_t part; // of the file. Runs of a part share its points.
+		std::uint32_t part; // Runs of a part share its points.
 	};
 
 	virtual ~CellRuns() = default;

@@ -22,9 +22,7 @@ bool holds(const Box& box, const Vec3& point)
 
 } // namespace
 
-FarthestPoints::FarthestPoints(const Vec3& middle) : middle_(middle), bins_(6 * kBins * kBins)
-{
-}
+FarthestPoints::FarthestPoints(const Vec3& middle) : middle_(middle), bins_(6 * kBins * kBins) {}
 
 void FarthestPoints::Farthest::include(double distance, const Vec3& p)
 {

@@ -46,7 +46,7 @@ std::vector<grid::CellRuns::Run> runsOf(const SharedBytes& arrays, const json& l
 	return runs;
 }
 
-// What a camera sees if the file does not say which points are farthest from the center.
+// A camera sees them if the file does not say which points are farthest from the center.
 std::vector<Vec3> cornersOf(std::span<const grid::CellRuns::Run> runs)
 {
 	std::vector<Vec3> corners;

@@ -11,7 +11,7 @@
 namespace vp::read
 {
 
-// What a pack says of its whole. `cell_numbers` is left out. Throws Unusable.
+// Returns all that a pack says of its whole but the `cell_numbers`. Throws Unusable.
 grid::WholeGrid wholeOf(const nlohmann::json& pack, const SharedBytes& arrays);
 
 // Takes a block of a pack whose cells stay in its file (protocol.h): its cells, arrays and facts, but none of their

@@ -33,17 +33,17 @@ public:
 		grid::Field field; // without bytes
 		List list;
 	};
-	// What the file says of itself. Nothing of it is checked.
+	// The file in its own words. Nothing of it is checked.
 	struct Contents
 	{
 		std::shared_ptr<const parts::OpenFile> file{};
 		std::vector<Run> runs{};                // with ascending parts
 		std::vector<std::uint64_t> run_ids{};   // point ids in each run
-		std::vector<std::uint64_t> all_cells{}; // of each part, with those that have no run
-		std::vector<std::uint64_t> points{};    // of each part
+		std::vector<std::uint64_t> all_cells{}; // for each part, with those that have no run
+		std::vector<std::uint64_t> points{};    // for each part
 		std::uint64_t all_points = 0;           // those of several parts count once
-		std::uint8_t type = 0;                  // of all cells; 0 if they have several
-		List places{};                          // of points: float or double
+		std::uint8_t type = 0;                  // that all cells have; 0 if they have several
+		List places{};                          // three floats or doubles a point
 		List point_numbers{};                   // uint32: in the whole
 		List ids{};                             // int32: among the points of the part
 		List cell_numbers{};                    // uint32: in the file that was packed
@@ -108,7 +108,7 @@ private:
 
 	Contents contents_;
 	std::vector<Part> parts_;
-	std::vector<std::uint64_t> first_ids_; // of each run
+	std::vector<std::uint64_t> first_ids_; // for each run
 	std::uint64_t cells_ = 0, ids_ = 0;    // in all runs
 	std::size_t point_row_bytes_ = 0, cell_row_bytes_ = 0;
 

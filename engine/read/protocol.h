@@ -62,9 +62,9 @@ namespace vp::read
 //
 // A block of a pack has a "pack": {"points", "cells" that are seen, "cells_without_place", "bounds": [x, y, z of both
 // ends], "parts", "parts_read", "bytes_read", "farthest": array of float64, points as of grid::FarthestPoints, if they
-// are known, "numbers": array of int64 in kCellsFd, the number in the packed file of each cell}. Its arrays have "facts"
-// on all values (grid::ArrayFacts): {"tuples", "spans": [[lo, hi, whether there is -inf, +inf] ..], lo and hi null if no
-// value is finite, "values": [..], "changes": [all, to the next value]}.
+// are known, "numbers": array of int64 in kCellsFd, the number in the packed file of each cell}. Its arrays have
+// "facts" on all values (grid::ArrayFacts): {"tuples", "spans": [[lo, hi, whether there is -inf, +inf] ..], lo and hi
+// null if no value is finite, "values": [..], "changes": [all, to the next value]}.
 //
 // With PARTS "places", the block of a pack whose lists lie in the file as they are in memory is of kind "packed". It
 // has "file", "type" of all cells or 0, "type_of_points", "runs": {"boxes": array of float64, lo and hi of each, and as

@@ -95,7 +95,7 @@ struct OpenOptions
 	bool reads_all_arrays = true; // read all arrays, not only those that are shown
 	bool one_cut_a_time = false;  // each time of the inputs is cut once
 	bool time_may_change = true;  // goTo() may be called: it keeps the grid if that is the same at the other time
-	bool frames_alone = false;    // nobody looks at cells or values but by frames: a pack is read where they lie
+	bool frames_alone = false;    // cells and values are looked at by frames alone; see readAllParts()
 	Timeline::Keep keep = Timeline::Keep::totals;
 	std::shared_ptr<gpu::Device> device{};      // an open device; null opens the device of the settings
 	std::vector<std::string> follow{};          // for ReadOptions::follow
@@ -141,7 +141,8 @@ public:
 	/// Sweeps planes through the blocks to find cells that no sound grid has.
 	Result<cut::SweepFindings> findImpossibleCells() { return cut::sweepForImpossibleCases(*cutter_); }
 
-	/// Reads what is left of the blocks in files (grid::lacksParts). A stop request ends it with ErrorKind::cancelled.
+	/// Reads what is left of the blocks in files (grid::lacksParts): with `frames_alone` a pack is read where frames
+	/// meet it. A stop request ends it with ErrorKind::cancelled.
 	Status readAllParts(const std::stop_token& stop = {});
 
 	/// Builds what the blocks lack for further cuts (grid::isComplete), such as neighbors of cells, and a new cutter.

@@ -217,8 +217,7 @@ json Writer::describePack(json facts, std::span<const std::array<double, 3>> far
 	return facts;
 }
 
-bool Writer::addPackInPlace(const DescribePlaces& describe, json facts,
-                            std::span<const std::array<double, 3>> farthest)
+bool Writer::addPackInPlace(const DescribePlaces& describe, json facts, std::span<const std::array<double, 3>> farthest)
 {
 	std::optional<json> block = describe(writer_);
 	if (!block || displacement_.isOn())

@@ -126,8 +126,8 @@ struct OpenOptions
 	// that you trust
 	std::vector<std::string> follow{};
 	int level = 0; // which of several resolutions of an image (OME-Zarr), 0 the finest
-	// The cells of a pack (`vprobe pack`, docs/LARGE.md) stay in its file, and cuts read those that they meet. Then call
-	// readAll() before block().
+	// The cells of a pack (`vprobe pack`, docs/LARGE.md) stay in its file, and cuts read those that they meet. Then
+	// call readAll() before block().
 	bool keeps_parts = false;
 };
 

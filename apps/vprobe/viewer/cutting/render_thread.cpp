@@ -292,7 +292,7 @@ Status RenderThread::show(const PictureRequest& wish)
 	rough_ = true;
 	// The picture is there; now comes what makes a moved cut fast.
 	if (const grid::BlockSet& blocks = at_->session->blocks();
-	    !grid::hasNeighbors(blocks) && !grid::lacksParts(blocks)) // of parts those are read that are cut
+	    !grid::hasNeighbors(blocks) && !grid::lacksParts(blocks)) // parts are read as they are cut
 		neighbors_.begin(blocks);
 	return Nothing{};
 }
