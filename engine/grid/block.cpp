@@ -81,7 +81,8 @@ std::int64_t cellNumber(const Block& block, CellId cell)
 {
 	const std::size_t source =
 	    std::visit([&](const auto& grid) { return std::size_t(grid.sourceCell(cell)); }, block.grid);
-	return block.whole ? block.whole->cell_numbers[source] : static_cast<std::int64_t>(source);
+	return block.whole ? static_cast<std::int64_t>(block.whole->cell_numbers.value(source, 0))
+	                   : static_cast<std::int64_t>(source);
 }
 
 bool lacksParts(const BlockSet& blocks)

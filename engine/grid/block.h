@@ -35,7 +35,7 @@ struct WholeGrid
 	Box bounds;
 	std::vector<Vec3> farthest; // from their center (farthest_points.h); empty if the file does not say
 	parts::PartUse parts;
-	Array<std::int64_t> cell_numbers; // by sourceCell(): the number in the file that the parts were made of
+	Field cell_numbers; // by sourceCell(): the number in the file that the parts were made of
 };
 
 // A grid with the arrays that live on it.

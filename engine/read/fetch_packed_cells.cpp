@@ -159,7 +159,6 @@ void PackedCells::announce(std::span<const std::uint32_t> parts, std::span<const
 	for (const Piece& piece : pieces)
 	{
 		add(contents_.ids, piece.first_id, piece.ids);
-		add(contents_.cell_numbers, piece.first_cell, piece.cells);
 		addArrays(Association::cell, piece.first_cell, piece.cells);
 	}
 	std::ranges::sort(extents);
@@ -227,7 +226,6 @@ void PackedCells::readPiece(const Piece& piece) const
 {
 	readRows(contents_.ids, piece.first_id, piece.ids, id_memory_->as<std::int32_t>() + piece.first_id);
 	takeTypes(piece);
-	takeCellNumbers(piece);
 	for (std::size_t a = 0; a < arrays_.size(); ++a)
 		if (const auto& [field, list] = contents_.arrays[a]; field.association == Association::cell)
 			readRows(list, piece.first_cell, piece.cells, arrays_[a]->data() + piece.first_cell * list.row_bytes);
@@ -266,19 +264,6 @@ void PackedCells::takeTypes(const Piece& piece) const
 	// The piece behind it may write the same.
 	std::atomic_ref(starts[piece.cells])
 	    .store(static_cast<std::int64_t>(piece.first_id + sum), std::memory_order_relaxed);
-}
-
-void PackedCells::takeCellNumbers(const Piece& piece) const
-{
-	std::vector<std::byte>& rows = scratchOf(piece.cells * sizeof(std::uint32_t));
-	readRows(contents_.cell_numbers, piece.first_cell, piece.cells, rows.data());
-	auto* to = cell_numbers_->as<std::int64_t>() + piece.first_cell;
-	for (std::size_t c = 0; c < piece.cells; ++c)
-	{
-		std::uint32_t number;
-		std::memcpy(&number, rows.data() + c * sizeof(number), sizeof(number));
-		to[c] = number;
-	}
 }
 
 namespace

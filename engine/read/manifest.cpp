@@ -202,8 +202,9 @@ private:
 			if (block.contains("pack"))
 			{
 				grid::WholeGrid whole = wholeOf(block.at("pack"), arrays_);
-				whole.cell_numbers = numbersOf<std::int64_t>(cells_, block.at("pack").at("numbers"), NumberType::int64,
-				                                             mesh.cells.size());
+				whole.cell_numbers.type = NumberType::int64;
+				whole.cell_numbers.bytes =
+				    bytesOfType(cells_, block.at("pack").at("numbers"), NumberType::int64, mesh.cells.size());
 				checked.whole = std::make_shared<const grid::WholeGrid>(std::move(whole));
 			}
 			unplaced_ += checked.whole ? countOf(block.at("pack").at("cells_without_place")) : unplaced;

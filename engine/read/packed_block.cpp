@@ -121,7 +121,7 @@ void takePackedBlock(const json& block, const SharedBytes& arrays, const Readabl
 	contents.places = listOf(lists.at("points"), 3 * grid::byteSize(of_places));
 	contents.point_numbers = listOf(lists.at("point_numbers"), sizeof(std::uint32_t));
 	contents.ids = listOf(lists.at("ids"), sizeof(std::int32_t));
-	contents.cell_numbers = listOf(lists.at("cell_numbers"), sizeof(std::uint32_t));
+	contents.cell_numbers = countOf(lists.at("cell_numbers"));
 	if (contents.type == 0)
 	{
 		contents.types = listOf(lists.at("types"), 1);
@@ -138,7 +138,7 @@ void takePackedBlock(const json& block, const SharedBytes& arrays, const Readabl
 	whole.cell_numbers = cells->cellNumbers();
 	if (whole.farthest.empty())
 		whole.farthest = cornersOf(cells->runs());
-	if (whole.cells != whole.cell_numbers.size())
+	if (whole.cells != whole.cell_numbers.tuples())
 		throw Unusable("its runs do not make up the whole");
 	checked.whole = std::make_shared<const grid::WholeGrid>(std::move(whole));
 	checked.mesh = CellMesh{cells->points(), cells->cells()};

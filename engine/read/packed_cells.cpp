@@ -94,14 +94,14 @@ void PackedCells::check()
 	fit(contents_.places, points);
 	fit(contents_.point_numbers, points);
 	fit(contents_.ids, ids_);
-	fit(contents_.cell_numbers, rows);
+	fit({contents_.cell_numbers, sizeof(std::uint32_t)}, rows);
 	if (!isAlike())
 	{
 		fit(contents_.types, rows);
 		fit(contents_.ends, rows + parts);
 	}
 	point_row_bytes_ = contents_.places.row_bytes + contents_.point_numbers.row_bytes;
-	cell_row_bytes_ = contents_.cell_numbers.row_bytes + contents_.types.row_bytes + contents_.ends.row_bytes;
+	cell_row_bytes_ = contents_.types.row_bytes + contents_.ends.row_bytes;
 	for (const auto& [field, list] : contents_.arrays)
 	{
 		fit(list, field.association == Association::point ? points : rows);
@@ -118,7 +118,6 @@ void PackedCells::takeMemory()
 	id_memory_ = memoryFor(ids_, sizeof(std::int32_t));
 	types_ = memoryFor(cells_, 1);
 	ends_ = memoryFor(isAlike() ? 0 : cells_ + 1, sizeof(std::int64_t));
-	cell_numbers_ = memoryFor(cells_, sizeof(std::int64_t));
 	for (const auto& [field, list] : contents_.arrays)
 		arrays_.push_back(memoryFor(field.association == Association::point ? points : cells_, list.row_bytes));
 	types_->data()[0] = std::byte{contents_.type}; // the first tells of all, where they are alike
@@ -141,9 +140,17 @@ grid::CellList PackedCells::cells() const
 	return list;
 }
 
-Array<std::int64_t> PackedCells::cellNumbers() const
+grid::Field PackedCells::cellNumbers() const
 {
-	return viewOf<std::int64_t>(cell_numbers_, cells_);
+	constexpr std::uint64_t at_once = 4096;
+	const parts::Layout layout{{1, cells_, 1}, {1, at_once, 1}, sizeof(std::uint32_t), false};
+	parts::FileExtents::Place place{.offset = contents_.cell_numbers, .number_bytes = sizeof(std::uint32_t)};
+	grid::Field numbers;
+	numbers.association = Association::cell;
+	numbers.type = grid::NumberType::uint32;
+	numbers.stored = std::make_shared<parts::PartStore>(
+	    layout, std::make_unique<parts::FileExtents>(contents_.file, layout, std::move(place)));
+	return numbers;
 }
 
 std::vector<grid::Field> PackedCells::fields() const
@@ -222,9 +229,6 @@ void PackedCells::renew(grid::Block& block) const
 		for (grid::Field& field : block.fields)
 			if (field.is_in_runs && field.name == own.name && field.association == own.association)
 				field.bytes = own.bytes;
-	auto whole = std::make_shared<grid::WholeGrid>(*block.whole);
-	whole->cell_numbers = fresh->cellNumbers();
-	block.whole = std::move(whole);
 	block.runs = fresh;
 }
 

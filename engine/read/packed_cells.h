@@ -46,7 +46,7 @@ public:
 		List places{};                          // three floats or doubles a point
 		List point_numbers{};                   // uint32: in the whole
 		List ids{};                             // int32: among the points of the part
-		List cell_numbers{};                    // uint32: in the file that was packed
+		std::uint64_t cell_numbers = 0;         // offset; uint32: in the file that was packed
 		List types{};                           // uint8; only if cells have several types
 		List ends{};                            // int32, likewise: a part has one more than cells
 		std::vector<ArrayList> arrays{};
@@ -58,7 +58,8 @@ public:
 	// Views of the memory into which fetch() reads.
 	grid::Points points() const;
 	grid::CellList cells() const;
-	Array<std::int64_t> cellNumbers() const;
+	// Numbers that stay in the file until somebody asks for them.
+	grid::Field cellNumbers() const;
 	std::vector<grid::Field> fields() const;
 
 	void fetch(std::span<const std::uint32_t> runs) override;
@@ -100,7 +101,6 @@ private:
 	void notePoints(std::uint32_t part) const;
 	void readPiece(const Piece& piece) const;
 	void takeTypes(const Piece& piece) const;
-	void takeCellNumbers(const Piece& piece) const;
 	void takeIds(std::uint32_t run) const;
 	std::uint64_t bytesOfPart(std::uint32_t part) const;
 	std::uint64_t bytesOfRun(std::uint32_t run) const;
@@ -112,7 +112,7 @@ private:
 	std::uint64_t cells_ = 0, ids_ = 0;    // in all runs
 	std::size_t point_row_bytes_ = 0, cell_row_bytes_ = 0;
 
-	Memory places_, point_numbers_, id_memory_, types_, ends_, cell_numbers_;
+	Memory places_, point_numbers_, id_memory_, types_, ends_;
 	std::vector<Memory> arrays_;
 	Memory is_there_; // a bit for each point: it was read by an earlier fetch
 	std::vector<bool> has_run_, has_part_, met_;

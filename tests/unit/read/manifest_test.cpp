@@ -167,7 +167,7 @@ TEST(Manifest, TakesTheWholeOfAPack)
 	EXPECT_EQ(input->unplaced, 3u);
 	EXPECT_EQ(whole.bounds.hi.x, 4.0);
 	EXPECT_EQ(whole.parts.read, 2u);
-	EXPECT_EQ(whole.cell_numbers[2], 9);
+	EXPECT_EQ(whole.cell_numbers.value(2, 0), 9.0);
 	const grid::Field& field = input->blocks[0].fields[0];
 	EXPECT_EQ(grid::valueSpan(field, 0).hi, 5.0);
 	EXPECT_TRUE(grid::valueSpan(field, 0).plus_infinity);
