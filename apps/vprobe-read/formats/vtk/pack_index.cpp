@@ -181,30 +181,6 @@ json PackIndex::factsOf(const std::string& association, const std::string& name,
 	return facts;
 }
 
-ChosenRuns PackIndex::chosen(std::span<const std::uint64_t> runs) const
-{
-	ChosenRuns chosen{runs, {}, {}, {}, {}};
-	std::uint64_t last_part = ~std::uint64_t(0);
-	std::size_t parts = 0;
-	std::uint64_t first_point = 0, part = 0;
-	for (const std::uint64_t number : runs)
-	{
-		const PackRun& run = runs_[number];
-		for (; part < run.part; ++part)
-			first_point += parts_.points[part];
-		if (std::exchange(last_part, run.part) != run.part)
-		{
-			++parts;
-			chosen.points.add(first_point, parts_.points[run.part]);
-		}
-		chosen.part_of_run.push_back(parts - 1);
-		chosen.cells.add(run.first_cell, run.cells);
-		chosen.ids.add(run.first_id, run.ids);
-		chosen.ends.add(run.first_cell + run.part, run.cells + 1); // a part has one offset more than cells
-	}
-	return chosen;
-}
-
 // As the manifest has them (protocol.h).
 json PackIndex::facts(std::size_t runs_read, std::uint64_t bytes_read) const
 {

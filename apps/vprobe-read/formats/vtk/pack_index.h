@@ -1,6 +1,5 @@
 #pragma once
 
-#include "pack_rows.h"
 #include "vprobe-read/hdf5/hdf5_rows.h"
 #include "vtkhdf_pack.h"
 #include "vtkhdf_steps.h"
@@ -9,7 +8,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -24,15 +22,6 @@ struct PackRun
 	std::uint64_t cells;
 	std::uint64_t first_id;
 	std::uint64_t ids;
-};
-
-// Runs to read, and where their rows and those of their parts lie.
-struct ChosenRuns
-{
-	std::span<const std::uint64_t> runs;
-	ChosenRows cells, ids, ends;            // a run of rows for each run
-	ChosenRows points;                      // a run of rows for each part with such a run
-	std::vector<std::size_t> part_of_run{}; // its place among these parts
 };
 
 struct PackedArray
@@ -66,9 +55,6 @@ public:
 	// A list of VTKHDF ("Points"), or one of ours ("vprobe/PointNumbers").
 	hdf5::Rows rowsOf(const std::string& list, grid::NumberType type, std::uint64_t components = 1) const;
 	grid::NumberType typeOfPoints() const;
-
-	// runs: ascending.
-	ChosenRuns chosen(std::span<const std::uint64_t> runs) const;
 
 	// Returns the "pack" of its block (protocol.h), with what manifest::Writer::addPack() wants beside it.
 	nlohmann::json facts(std::size_t runs_read, std::uint64_t bytes_read) const;

@@ -4,6 +4,7 @@
 #include "pack_checks.h"
 #include "pack_index.h"
 #include "pack_places.h"
+#include "point_ranks.h"
 #include "read/cell_types.h"
 #include "vprobe-read/arrays/value_image.h"
 #include "vprobe-read/base/refusal.h"
@@ -25,8 +26,8 @@
 #include <array>
 #include <cstring>
 #include <limits>
-#include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace vp::reader::vtk
@@ -46,34 +47,33 @@ public:
 	PackReader(const PackIndex& index, const Request& request, manifest::Writer& manifest)
 	    : index_(index), request_(request), manifest_(manifest)
 	{
+		std::uint64_t first = 0;
+		for (const std::uint64_t points : index.parts().points)
+			first_points_.push_back(std::exchange(first, first + points));
 	}
 
 	void read()
 	{
-		std::vector<std::uint64_t> all(index_.runs().size());
-		std::iota(all.begin(), all.end(), 0);
-		add(all);
+		constexpr std::uint64_t most = std::numeric_limits<std::int32_t>::max();
+		if (index_.parts().all_ids < most && index_.parts().all_points < most)
+			addAs<vtkTypeInt32Array>();
+		else
+			addAs<vtkTypeInt64Array>();
 	}
 
 private:
-	// Reads rows, on all threads, when runTasks() is called.
-	void fetch(const hdf5::Rows& rows, const ChosenRows& chosen, void* to)
+	// Reads the first rows of a list, on all threads, when runTasks() is called.
+	void fetch(const hdf5::Rows& rows, std::uint64_t count, void* to)
 	{
-		bytes_read_ += chosen.size() * rows.rowBytes();
-		auto* first = static_cast<std::byte*>(to);
+		bytes_read_ += count * rows.rowBytes();
+		rows.askFor(0, count);
 		const std::uint64_t at_once = std::max<std::uint64_t>(kBytesAtOnce / rows.rowBytes(), 1);
-		chosen.forEachPiece(
-		    [&](std::uint64_t in_file, std::uint64_t in_memory, std::uint64_t count)
-		    {
-			    rows.askFor(in_file, count);
-			    tasks_.add((count + at_once - 1) / at_once,
-			               [=, &rows](std::size_t piece, arrays::Scratch&)
-			               {
-				               const std::uint64_t begin = piece * at_once;
-				               rows.read(in_file + begin, std::min(at_once, count - begin),
-				                         first + (in_memory + begin) * rows.rowBytes());
-			               });
-		    });
+		tasks_.add((count + at_once - 1) / at_once,
+		           [=, &rows, first = static_cast<std::byte*>(to)](std::size_t piece, arrays::Scratch&)
+		           {
+			           const std::uint64_t begin = piece * at_once;
+			           rows.read(begin, std::min(at_once, count - begin), first + begin * rows.rowBytes());
+		           });
 	}
 
 	void runTasks()
@@ -82,19 +82,9 @@ private:
 		tasks_ = quick::Tasks(request_.threads);
 	}
 
-	void add(std::span<const std::uint64_t> runs)
-	{
-		const ChosenRuns chosen = index_.chosen(runs);
-		constexpr std::uint64_t most = std::numeric_limits<std::int32_t>::max();
-		if (chosen.ids.size() < most && chosen.points.size() < most)
-			addAs<vtkTypeInt32Array>(chosen);
-		else
-			addAs<vtkTypeInt64Array>(chosen);
-	}
-
 	// Ids: the array that holds the ids of points.
 	template <class Ids>
-	void addAs(const ChosenRuns& chosen)
+	void addAs()
 	{
 		using Id = typename Ids::ValueType;
 		const hdf5::Rows place_rows = index_.rowsOf("Points", index_.typeOfPoints(), 3);
@@ -102,37 +92,37 @@ private:
 		const hdf5::Rows cell_rows = index_.rowsOf("vprobe/CellNumbers", NumberType::uint32);
 		const hdf5::Rows id_rows = index_.rowsOf("Connectivity", NumberType::int32);
 
-		HugeVector<std::uint32_t> numbers(chosen.points.size()), cell_numbers(chosen.cells.size());
+		HugeVector<std::uint32_t> numbers(index_.parts().all_points), cell_numbers(index_.parts().all_cells);
 		vtkNew<Ids> connectivity; // whoever keeps the grid keeps it
-		connectivity->SetNumberOfValues(static_cast<vtkIdType>(chosen.ids.size()));
+		connectivity->SetNumberOfValues(static_cast<vtkIdType>(index_.parts().all_ids));
 		Id* first = connectivity->GetPointer(0);
 		constexpr bool is_wide =
 		    sizeof(Id) > sizeof(std::int32_t); // than ids in the file, which else are turned in place
-		HugeVector<std::int32_t> narrow(is_wide ? chosen.ids.size() : 0);
+		HugeVector<std::int32_t> narrow(is_wide ? index_.parts().all_ids : 0);
 		const std::span<std::int32_t> ids(is_wide ? narrow.data() : reinterpret_cast<std::int32_t*>(first),
-		                                  chosen.ids.size());
-		HugeVector<std::byte> places(chosen.points.size() * place_rows.rowBytes());
-		fetch(number_rows, chosen.points, numbers.data());
-		fetch(place_rows, chosen.points, places.data());
-		fetch(id_rows, chosen.ids, ids.data());
-		fetch(cell_rows, chosen.cells, cell_numbers.data());
+		                                  index_.parts().all_ids);
+		HugeVector<std::byte> places(numbers.size() * place_rows.rowBytes());
+		fetch(number_rows, numbers.size(), numbers.data());
+		fetch(place_rows, numbers.size(), places.data());
+		fetch(id_rows, ids.size(), ids.data());
+		fetch(cell_rows, cell_numbers.size(), cell_numbers.data());
 		runTasks();
-		const std::uint64_t count = renumber(chosen, numbers);
+		const std::uint64_t count = renumber(numbers);
 
-		tasks_.add(chosen.runs.size(),
-		           [&](std::size_t run, arrays::Scratch&)
+		tasks_.add(index_.runs().size(),
+		           [&](std::size_t number, arrays::Scratch&)
 		           {
-			           const auto of_part = chosen.points.of(chosen.part_of_run[run], std::span(numbers));
-			           const std::span<std::int32_t> local = chosen.ids.of(run, ids);
+			           const PackRun& run = index_.runs()[number];
+			           const auto of_part = pointsOf(run.part, numbers);
+			           const std::span<std::int32_t> local = ids.subspan(run.first_id, run.ids);
 			           refuseWrongIds(local, of_part.size());
-			           const std::byte* of_first =
-			               places.data() + chosen.points.inMemory(chosen.part_of_run[run]) * place_rows.rowBytes();
-			           const std::array<double, 6>& box = index_.boxes()[chosen.runs[run]];
+			           const std::byte* of_first = places.data() + first_points_[run.part] * place_rows.rowBytes();
+			           const std::array<double, 6>& box = index_.boxes()[number];
 			           if (place_rows.type() == NumberType::float32)
 				           refuseOutside(local, reinterpret_cast<const float*>(of_first), box);
 			           else
 				           refuseOutside(local, reinterpret_cast<const double*>(of_first), box);
-			           Id* to = first + chosen.ids.inMemory(run);
+			           Id* to = first + run.first_id;
 			           for (const std::int32_t id : local)
 				           *to++ = static_cast<Id>(of_part[static_cast<std::size_t>(id)]);
 		           });
@@ -142,19 +132,25 @@ private:
 		vtkNew<vtkPoints> points;
 		points->SetData(joined(place_rows, places, numbers, count));
 		grid->SetPoints(points);
-		setCells<Ids>(chosen, connectivity.Get(), grid);
-		addArrays(chosen, numbers, count, grid);
-		manifest_.addPack(grid, index_.facts(chosen.runs.size(), bytes_read_), index_.farthest(),
+		setCells<Ids>(connectivity.Get(), grid);
+		addArrays(numbers, count, grid);
+		manifest_.addPack(grid, index_.facts(index_.runs().size(), bytes_read_), index_.farthest(),
 		                  {cell_numbers.begin(), cell_numbers.end()});
 	}
 
+	// Returns the numbers of the points of a part.
+	std::span<std::uint32_t> pointsOf(std::size_t part, HugeVector<std::uint32_t>& numbers) const
+	{
+		return std::span(numbers).subspan(first_points_[part], index_.parts().points[part]);
+	}
+
 	// Turns the numbers of points in the packed file into their places among those that are read. Returns how many are.
-	std::uint64_t renumber(const ChosenRuns& chosen, HugeVector<std::uint32_t>& numbers)
+	std::uint64_t renumber(HugeVector<std::uint32_t>& numbers)
 	{
 		PointRanks ranks(index_.allPoints());
-		for (std::size_t part = 0; part < chosen.points.count(); ++part)
+		for (std::size_t part = 0; part < index_.parts().count(); ++part)
 		{
-			const std::span<std::uint32_t> of_part = chosen.points.of(part, std::span(numbers));
+			const std::span<std::uint32_t> of_part = pointsOf(part, numbers);
 			for (std::size_t p = 0; p < of_part.size(); ++p)
 			{
 				if (of_part[p] >= index_.allPoints() || (p > 0 && of_part[p] <= of_part[p - 1]))
@@ -163,10 +159,10 @@ private:
 			}
 		}
 		ranks.count();
-		tasks_.add(chosen.points.count(),
+		tasks_.add(index_.parts().count(),
 		           [&](std::size_t part, arrays::Scratch&)
 		           {
-			           for (std::uint32_t& number : chosen.points.of(part, std::span(numbers)))
+			           for (std::uint32_t& number : pointsOf(part, numbers))
 				           number = static_cast<std::uint32_t>(ranks.rank(number));
 		           });
 		runTasks();
@@ -174,38 +170,40 @@ private:
 	}
 
 	template <class Ids>
-	void setCells(const ChosenRuns& chosen, Ids* connectivity, vtkUnstructuredGrid* grid)
+	void setCells(Ids* connectivity, vtkUnstructuredGrid* grid)
 	{
 		using Id = typename Ids::ValueType;
+		const std::uint64_t count = index_.parts().all_cells;
 		vtkNew<Ids> offsets;
-		offsets->SetNumberOfValues(static_cast<vtkIdType>(chosen.cells.size() + 1));
+		offsets->SetNumberOfValues(static_cast<vtkIdType>(count + 1));
 		Id* ends = offsets->GetPointer(0);
 		ends[0] = 0;
 		vtkNew<vtkUnsignedCharArray> types;
-		types->SetNumberOfValues(static_cast<vtkIdType>(chosen.cells.size()));
-		const std::uint8_t type = index_.typeOfAll();
-		const auto size = static_cast<std::uint64_t>(read::slicedCellSize(type));
-		if (size > 0 && size * chosen.cells.size() == chosen.ids.size())
+		types->SetNumberOfValues(static_cast<vtkIdType>(count));
+		if (const std::uint8_t type = index_.typeOfAll(); type != 0)
 		{
-			std::fill_n(types->GetPointer(0), chosen.cells.size(), type);
-			for (std::uint64_t c = 1; c <= chosen.cells.size(); ++c)
+			const auto size = static_cast<std::uint64_t>(read::slicedCellSize(type));
+			std::fill_n(types->GetPointer(0), count, type);
+			for (std::uint64_t c = 1; c <= count; ++c)
 				ends[c] = static_cast<Id>(c * size);
 		}
 		else
 		{
 			const hdf5::Rows type_rows = index_.rowsOf("Types", NumberType::uint8);
 			const hdf5::Rows end_rows = index_.rowsOf("Offsets", NumberType::int32);
-			HugeVector<std::int32_t> local(chosen.ends.size());
-			fetch(type_rows, chosen.cells, types->GetPointer(0));
-			fetch(end_rows, chosen.ends, local.data());
+			HugeVector<std::int32_t> local(count + index_.parts().count());
+			fetch(type_rows, count, types->GetPointer(0));
+			fetch(end_rows, local.size(), local.data());
 			runTasks();
-			for (std::size_t run = 0; run < chosen.runs.size(); ++run)
+			for (const PackRun& run : index_.runs())
 			{
-				const std::span<std::int32_t> of_run = chosen.ends.of(run, std::span(local));
-				refuseWrongEnds(of_run, index_.runs()[chosen.runs[run]].ids);
-				Id* to = ends + chosen.cells.inMemory(run) + 1;
+				// A part has one end more than cells.
+				const std::span<std::int32_t> of_run =
+				    std::span(local).subspan(run.first_cell + run.part, run.cells + 1);
+				refuseWrongEnds(of_run, run.ids);
+				Id* to = ends + run.first_cell + 1;
 				for (const std::int32_t end : of_run.subspan(1))
-					*to++ = static_cast<Id>(chosen.ids.inMemory(run)) + static_cast<Id>(end - of_run.front());
+					*to++ = static_cast<Id>(run.first_id) + static_cast<Id>(end - of_run.front());
 			}
 		}
 		vtkNew<vtkCellArray> cells;
@@ -233,8 +231,7 @@ private:
 		return array;
 	}
 
-	void addArrays(const ChosenRuns& chosen, const HugeVector<std::uint32_t>& numbers, std::uint64_t count,
-	               vtkUnstructuredGrid* grid)
+	void addArrays(const HugeVector<std::uint32_t>& numbers, std::uint64_t count, vtkUnstructuredGrid* grid)
 	{
 		for (const PackedArray& wanted : index_.arrays())
 		{
@@ -243,15 +240,15 @@ private:
 			vtkSmartPointer<vtkDataArray> array;
 			if (wanted.association == "Point")
 			{
-				HugeVector<std::byte> values(chosen.points.size() * rows.rowBytes());
-				fetch(rows, chosen.points, values.data());
+				HugeVector<std::byte> values(numbers.size() * rows.rowBytes());
+				fetch(rows, numbers.size(), values.data());
 				runTasks();
 				array = joined(rows, values, numbers, count);
 			}
 			else
 			{
-				array = emptyArray(rows, chosen.cells.size());
-				fetch(rows, chosen.cells, array->GetVoidPointer(0));
+				array = emptyArray(rows, index_.parts().all_cells);
+				fetch(rows, index_.parts().all_cells, array->GetVoidPointer(0));
 				runTasks();
 			}
 			array->SetName(wanted.name.c_str());
@@ -266,6 +263,7 @@ private:
 	const Request& request_;
 	manifest::Writer& manifest_;
 	quick::Tasks tasks_{request_.threads};
+	std::vector<std::uint64_t> first_points_; // of each part, in the list of all
 	std::uint64_t bytes_read_ = 0;
 };
 
