@@ -5,6 +5,7 @@
 #include "base/stop_scope.h"
 #include "ranks/search/rank_to_rank.h"
 #include "session/frame.h"
+#include "session/met_parts.h"
 
 #include <fmt/format.h>
 
@@ -265,6 +266,10 @@ bool resolveAlike(const view::ViewSpec& a, const view::ViewSpec& b)
 
 Status Session::set(view::ViewSpec spec)
 {
+	// Whoever draws by these settings may look at all values before there is a frame.
+	if (grid::lacksParts(blocks_) && !looksAtCutAlone(spec))
+		if (Status read = readAllParts(); !read)
+			return read;
 	if (!cutAlike(spec_, spec))
 		++stamp_.settings;
 	if (is_resolved_ && resolveAlike(spec_, spec))

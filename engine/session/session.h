@@ -114,7 +114,8 @@ public:
 	/// The same for blocks that the caller has. Nothing is read; the input in the settings is only a name.
 	static Result<std::unique_ptr<Session>> of(grid::BlockSet blocks, view::ViewSpec spec, OpenOptions options);
 
-	/// Takes other settings for the same blocks: all settings except those of input and machine.
+	/// Takes other settings for the same blocks: all settings except those of input and machine. Reads what is left of
+	/// the blocks in files if the settings look at more than the cells that are cut.
 	Status set(view::ViewSpec spec);
 
 	/// Moves to a time of the inputs. If only the values differ there, a frame with `last` keeps the cells that it
