@@ -15,7 +15,7 @@ namespace
 
 constexpr int kBins = 32; // along each side of a cube about the middle
 
-bool holds(const Box& box, const Vec3& point)
+bool liesWithin(const Box& box, const Vec3& point)
 {
 	return glm::all(glm::greaterThanEqual(point, box.lo)) && glm::all(glm::lessThanEqual(point, box.hi));
 }
@@ -56,7 +56,7 @@ void FarthestPoints::include(const Box& box, std::size_t count, const std::funct
 		                  {
 			                  const Vec3 p = point(i);
 			                  const Vec3 way = p - middle_;
-			                  if (way != Vec3(0.0) && holds(box, p))
+			                  if (way != Vec3(0.0) && liesWithin(box, p))
 				                  mine[binOf(way)].include(glm::dot(way, way), p);
 		                  }
 	                  });
