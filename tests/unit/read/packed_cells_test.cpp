@@ -230,7 +230,9 @@ TEST(PackedCells, AreThoseOfTheWhole)
 	const TemporaryFolder folder;
 	const std::string path = folder / sample->name;
 	sample->write(path);
-	auto kept = readInputs({path}, {.keeps_in_runs = true}, nullptr);
+	ReadOptions in_place;
+	in_place.keeps_in_runs = true;
+	auto kept = readInputs({path}, in_place, nullptr);
 	ASSERT_TRUE(kept) << kept.error().message;
 	ASSERT_TRUE(grid::lacksParts(*kept));
 	EXPECT_EQ(kept->cellCount(), sample->cells);
