@@ -101,7 +101,7 @@ void PackedCells::check()
 		fit(contents_.ends, rows + parts);
 	}
 	point_row_bytes_ = contents_.places.row_bytes + contents_.point_numbers.row_bytes;
-	cell_row_bytes_ = contents_.types.row_bytes + contents_.ends.row_bytes;
+	cell_row_bytes_ = isAlike() ? 0 : contents_.types.row_bytes + contents_.ends.row_bytes;
 	for (const auto& [field, list] : contents_.arrays)
 	{
 		fit(list, field.association == Association::point ? points : rows);

@@ -78,12 +78,21 @@ NumberType PackIndex::typeOfPoints() const
 	return file_.numberType(kRoot + "/Points") == NumberType::float32 ? NumberType::float32 : NumberType::float64;
 }
 
-hdf5::Rows PackIndex::rowsOf(const std::string& list, NumberType type, std::uint64_t components) const
+hdf5::Rows PackIndex::rowsOf(const PackedArray& array) const
+{
+	return rowsOf(array.association + "Data/" + array.name, array.type,
+	              array.association == "Point" ? parts_.all_points : parts_.all_cells, array.components);
+}
+
+hdf5::Rows PackIndex::rowsOf(const std::string& list, NumberType type, std::uint64_t count,
+                             std::uint64_t components) const
 {
 	const std::string path = list.starts_with("vprobe/") ? "/" + list : kRoot + "/" + list;
 	hdf5::Rows rows(file_, descriptor_, path, type);
 	if (rows.components() != components)
 		throw damaged(fmt::format("the rows of {} have {} numbers", path, rows.components()));
+	if (rows.size() != count)
+		throw damaged(fmt::format("{} has {} rows where {} belong", path, rows.size(), count));
 	return rows;
 }
 

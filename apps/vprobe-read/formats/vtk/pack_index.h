@@ -52,8 +52,11 @@ public:
 	std::uint8_t typeOfAll() const;
 	const VtkHdfParts& parts() const { return parts_; }
 
-	// A list of VTKHDF ("Points"), or one of ours ("vprobe/PointNumbers").
-	hdf5::Rows rowsOf(const std::string& list, grid::NumberType type, std::uint64_t components = 1) const;
+	// Returns a list of VTKHDF ("Points"), or one of ours ("vprobe/PointNumbers"), that has so many rows.
+	hdf5::Rows rowsOf(const std::string& list, grid::NumberType type, std::uint64_t rows,
+	                  std::uint64_t components = 1) const;
+	hdf5::Rows rowsOf(const PackedArray& array) const;
+	std::uint64_t endCount() const { return parts_.all_cells + parts_.count(); } // a part has one more than cells
 	grid::NumberType typeOfPoints() const;
 
 	// Returns the "pack" of its block (protocol.h), with what manifest::Writer::addPack() wants beside it.

@@ -60,15 +60,17 @@ std::optional<json> describePlaces(const PackIndex& index, const std::string& fi
 		all_plain = all_plain && rows.plainOffset();
 		return rows.plainOffset().value_or(0);
 	};
-	json lists = {{"points", offsetOf(index.rowsOf("Points", index.typeOfPoints(), 3))},
-	              {"point_numbers", offsetOf(index.rowsOf("vprobe/PointNumbers", NumberType::uint32))},
-	              {"ids", offsetOf(index.rowsOf("Connectivity", NumberType::int32))},
-	              {"cell_numbers", offsetOf(index.rowsOf("vprobe/CellNumbers", NumberType::uint32))}};
+	const VtkHdfParts& parts = index.parts();
+	json lists = {
+	    {"points", offsetOf(index.rowsOf("Points", index.typeOfPoints(), parts.all_points, 3))},
+	    {"point_numbers", offsetOf(index.rowsOf("vprobe/PointNumbers", NumberType::uint32, parts.all_points))},
+	    {"ids", offsetOf(index.rowsOf("Connectivity", NumberType::int32, parts.all_ids))},
+	    {"cell_numbers", offsetOf(index.rowsOf("vprobe/CellNumbers", NumberType::uint32, parts.all_cells))}};
 	const std::uint8_t type = index.typeOfAll();
 	if (type == 0)
 	{
-		lists["types"] = offsetOf(index.rowsOf("Types", NumberType::uint8));
-		lists["ends"] = offsetOf(index.rowsOf("Offsets", NumberType::int32));
+		lists["types"] = offsetOf(index.rowsOf("Types", NumberType::uint8, parts.all_cells));
+		lists["ends"] = offsetOf(index.rowsOf("Offsets", NumberType::int32, index.endCount()));
 	}
 	json arrays = json::array();
 	for (const PackedArray& array : index.arrays())
@@ -77,16 +79,15 @@ std::optional<json> describePlaces(const PackIndex& index, const std::string& fi
 			                  {"association", array.association == "Point" ? "point" : "cell"},
 			                  {"components", array.components},
 			                  {"type", grid::numberTypeName(array.type)},
-			                  {"offset", offsetOf(index.rowsOf(array.association + "Data/" + array.name, array.type,
-			                                                   array.components))},
+			                  {"offset", offsetOf(index.rowsOf(array))},
 			                  {"facts", array.facts}});
 	if (!all_plain)
 		return std::nullopt;
 	return json{{"kind", "packed"},
 	            {"file", file},
 	            {"runs", describeRuns(index, *runs, writer)},
-	            {"part_cells", written(writer, index.parts().cells)},
-	            {"part_points", written(writer, index.parts().points)},
+	            {"part_cells", written(writer, parts.cells)},
+	            {"part_points", written(writer, parts.points)},
 	            {"type", type},
 	            {"type_of_points", grid::numberTypeName(index.typeOfPoints())},
 	            {"lists", std::move(lists)},

@@ -62,9 +62,10 @@ public:
 	}
 
 private:
-	// Reads the first rows of a list, on all threads, when runTasks() is called.
-	void fetch(const hdf5::Rows& rows, std::uint64_t count, void* to)
+	// Reads a list, on all threads, when runTasks() is called.
+	void fetch(const hdf5::Rows& rows, void* to)
 	{
+		const std::uint64_t count = rows.size();
 		bytes_read_ += count * rows.rowBytes();
 		rows.askFor(0, count);
 		const std::uint64_t at_once = std::max<std::uint64_t>(kBytesAtOnce / rows.rowBytes(), 1);
@@ -87,10 +88,11 @@ private:
 	void addAs()
 	{
 		using Id = typename Ids::ValueType;
-		const hdf5::Rows place_rows = index_.rowsOf("Points", index_.typeOfPoints(), 3);
-		const hdf5::Rows number_rows = index_.rowsOf("vprobe/PointNumbers", NumberType::uint32);
-		const hdf5::Rows cell_rows = index_.rowsOf("vprobe/CellNumbers", NumberType::uint32);
-		const hdf5::Rows id_rows = index_.rowsOf("Connectivity", NumberType::int32);
+		const VtkHdfParts& parts = index_.parts();
+		const hdf5::Rows place_rows = index_.rowsOf("Points", index_.typeOfPoints(), parts.all_points, 3);
+		const hdf5::Rows number_rows = index_.rowsOf("vprobe/PointNumbers", NumberType::uint32, parts.all_points);
+		const hdf5::Rows cell_rows = index_.rowsOf("vprobe/CellNumbers", NumberType::uint32, parts.all_cells);
+		const hdf5::Rows id_rows = index_.rowsOf("Connectivity", NumberType::int32, parts.all_ids);
 
 		HugeVector<std::uint32_t> numbers(index_.parts().all_points), cell_numbers(index_.parts().all_cells);
 		vtkNew<Ids> connectivity; // whoever keeps the grid keeps it
@@ -102,10 +104,10 @@ private:
 		const std::span<std::int32_t> ids(is_wide ? narrow.data() : reinterpret_cast<std::int32_t*>(first),
 		                                  index_.parts().all_ids);
 		HugeVector<std::byte> places(numbers.size() * place_rows.rowBytes());
-		fetch(number_rows, numbers.size(), numbers.data());
-		fetch(place_rows, numbers.size(), places.data());
-		fetch(id_rows, ids.size(), ids.data());
-		fetch(cell_rows, cell_numbers.size(), cell_numbers.data());
+		fetch(number_rows, numbers.data());
+		fetch(place_rows, places.data());
+		fetch(id_rows, ids.data());
+		fetch(cell_rows, cell_numbers.data());
 		runTasks();
 		const std::uint64_t count = renumber(numbers);
 
@@ -189,11 +191,11 @@ private:
 		}
 		else
 		{
-			const hdf5::Rows type_rows = index_.rowsOf("Types", NumberType::uint8);
-			const hdf5::Rows end_rows = index_.rowsOf("Offsets", NumberType::int32);
-			HugeVector<std::int32_t> local(count + index_.parts().count());
-			fetch(type_rows, count, types->GetPointer(0));
-			fetch(end_rows, local.size(), local.data());
+			const hdf5::Rows type_rows = index_.rowsOf("Types", NumberType::uint8, count);
+			const hdf5::Rows end_rows = index_.rowsOf("Offsets", NumberType::int32, index_.endCount());
+			HugeVector<std::int32_t> local(index_.endCount());
+			fetch(type_rows, types->GetPointer(0));
+			fetch(end_rows, local.data());
 			runTasks();
 			for (const PackRun& run : index_.runs())
 			{
@@ -235,20 +237,19 @@ private:
 	{
 		for (const PackedArray& wanted : index_.arrays())
 		{
-			const hdf5::Rows rows =
-			    index_.rowsOf(wanted.association + "Data/" + wanted.name, wanted.type, wanted.components);
+			const hdf5::Rows rows = index_.rowsOf(wanted);
 			vtkSmartPointer<vtkDataArray> array;
 			if (wanted.association == "Point")
 			{
 				HugeVector<std::byte> values(numbers.size() * rows.rowBytes());
-				fetch(rows, numbers.size(), values.data());
+				fetch(rows, values.data());
 				runTasks();
 				array = joined(rows, values, numbers, count);
 			}
 			else
 			{
 				array = emptyArray(rows, index_.parts().all_cells);
-				fetch(rows, index_.parts().all_cells, array->GetVoidPointer(0));
+				fetch(rows, array->GetVoidPointer(0));
 				runTasks();
 			}
 			array->SetName(wanted.name.c_str());
