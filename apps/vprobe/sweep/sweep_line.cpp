@@ -143,9 +143,6 @@ Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const AskFrame& ask, 
 		products.writeBeside();
 	Cutter cutter(plan, ask, session);
 	int next = nextFrame(0, plan, products, session.ranks(), remaining);
-	if (next < plan.frames && cutter.changesBlocks(next))
-		if (Status built = session.buildNeighbors(); !built)
-			return built.error();
 	if (next < plan.frames)
 		cutter.start(next);
 	while (next < plan.frames)
@@ -163,11 +160,7 @@ Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const AskFrame& ask, 
 		if (Status added = products.add(frame, cut->time, *cut->cut); !added)
 			return firstError(products, added.error());
 		if (waits)
-		{
-			if (Status built = session.buildNeighbors(); !built)
-				return firstError(products, built.error());
 			cutter.start(next);
-		}
 		remaining.done();
 		empty += isEmpty(session, *cut->cut);
 		if (plan.wants_figures)
