@@ -14,7 +14,7 @@ namespace vp::app
 namespace
 {
 
-constexpr int kUsualPart = 16384;
+constexpr int kUsualPart = 4096;
 
 struct PackOptions
 {
