@@ -264,7 +264,7 @@ private:
 	const Request& request_;
 	manifest::Writer& manifest_;
 	quick::Tasks tasks_{request_.threads};
-	std::vector<std::uint64_t> first_points_; // of each part, in the list of all
+	std::vector<std::uint64_t> first_points_; // where each part begins in the list of all
 	std::uint64_t bytes_read_ = 0;
 };
 
