@@ -6,6 +6,9 @@
 #include "read/manifest.h"
 #include "read/sandbox.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -21,6 +24,31 @@ bool canConvertTo(const std::string& target)
 	constexpr std::array<std::string_view, 6> endings = {".vti", ".vtr", ".vts", ".vtu", ".vtm", ".vtkhdf"};
 	return std::find(endings.begin(), endings.end(), fs::path(target).extension().string()) != endings.end();
 }
+
+namespace
+{
+
+// Returns an error if an array is wanted that no block has.
+Status checkWish(const CheckedInput& input, const ArrayWish& wish)
+{
+	std::vector<std::string> known; // each with what it is of: "point:NAME"
+	for (const CheckedBlock& block : input.blocks)
+	{
+		for (const grid::Field& field : block.fields)
+			known.push_back(fmt::format("{}:{}", grid::associationName(field.association), field.name));
+		known.insert(known.end(), block.arrays_left_out.begin(), block.arrays_left_out.end());
+	}
+	std::ranges::sort(known);
+	known.erase(std::unique(known.begin(), known.end()), known.end());
+	for (const std::string& name : wish.names)
+		if (std::ranges::none_of(known, [&](const std::string& each)
+		                         { return each == name || each == "point:" + name || each == "cell:" + name; }))
+			return Error{ErrorKind::usage,
+			             fmt::format("`array` {}: no such array; there are: {}", name, fmt::join(known, ", "))};
+	return Nothing{};
+}
+
+} // namespace
 
 Status convert(const std::string& input, const ReadOptions& options, const std::string& target,
                const std::string& folder)
@@ -47,6 +75,8 @@ Status convert(const std::string& input, const ReadOptions& options, const std::
 	    checkManifest(handed->manifest, handed->arrays, handed->cells, input, followArgument(options.follow));
 	if (!checked)
 		return unusable(input, checked.error());
+	if (Status known = checkWish(*checked, options.arrays); !known)
+		return known;
 	noteFiles(*checked);
 	noteSandbox(checked->sandbox);
 	for (const ReadWarning& warning : checked->warnings)

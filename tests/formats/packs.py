@@ -336,6 +336,8 @@ def packing_refuses(folder):
                              (['pack', path, '-o', folder / 'a.vtu'], 'written as .vtkhdf'),
                              (['pack', path, path, '-o', folder / 'a.vtkhdf'], 'takes one file'),
                              (['pack', 'demo:shell:4', '-o', folder / 'a.vtkhdf'], 'convert it to .vtu first'),
+                             (['pack', path, '-o', folder / 'a.vtkhdf', '--array', 'h'],
+                              '--array h: no such array; there are: cell:g, cell:material, point:f, point:v'),
                              (['pack', path, '-o', folder / 'a.vtkhdf', '--part', '3'], '--part')):
         done = subprocess.run([VPROBE, *map(str, arguments)], capture_output=True, encoding='utf-8')
         assert done.returncode in (1, 2) and words in done.stderr, (arguments, done)
