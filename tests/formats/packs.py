@@ -212,6 +212,37 @@ def packs_tell_cells_that_are_left_out(folder):
     assert one == other and one['cells_left_out'] == 2 and one['cells_without_place'] > 0, (one, other)
 
 
+ODD = """# vtk DataFile Version 3.0
+a tetrahedron that lists five points, and ids
+ASCII
+DATASET UNSTRUCTURED_GRID
+POINTS 6 float
+0 0 0  1 0 0  0 1 0  0 0 1  1 1 1  2 2 2
+CELLS 3 15
+5 0 1 2 3 5  4 1 2 3 4  3 0 1 2
+CELL_TYPES 3
+10 10 5
+POINT_DATA 6
+SCALARS id vtkIdType 1
+LOOKUP_TABLE default
+10 20 30 40 50 60
+CELL_DATA 3
+SCALARS long long 1
+LOOKUP_TABLE default
+7 8 9
+"""
+
+
+def packs_keep_what_is_odd(folder):
+    """Ids of VTK's own type are numbers, and of too many points the first ones are used."""
+    path, pack = folder / 'odd.vtk', folder / 'odd.vtkhdf'
+    path.write_text(ODD)
+    vprobe('pack', path, '-o', pack)
+    for array in ('id', 'long'):
+        same_figures(path, pack, ['--normal', '1', '2', '3', '--array', array], folder)
+    same_figures(path, pack, ['--normal', '1', '2', '3', '--crinkle'], folder)
+
+
 def packs_are_converted_and_packed_again(folder):
     path, pack = packed(folder, '--part', '64')
     again, back = folder / 'again.vtkhdf', folder / 'back.vtu'
@@ -345,4 +376,5 @@ def packing_refuses(folder):
 CASES = [packs_are_cut_as_their_inputs, packs_read_what_is_cut, packs_are_swept_as_their_inputs,
          packs_that_change_in_a_sweep_are_told, packs_are_whole_where_that_is_asked,
          packs_look_like_their_inputs, packs_are_drawn_as_their_inputs, packs_tell_cells_that_are_left_out,
+         packs_keep_what_is_odd,
          packs_are_converted_and_packed_again, arrays_that_become_alike_are_kept, vtk_reads_packs, packs_in_chunks, damaged_packs_are_refused, packing_refuses]

@@ -33,6 +33,14 @@ int vtkTypeOf(NumberType type)
 
 std::optional<NumberType> numberTypeOfVtk(int type)
 {
+	// They have 64 bits in every VTK that we are built against.
+	static_assert(sizeof(vtkIdType) == 8 && sizeof(long) == 8);
+	if (type == VTK_ID_TYPE || type == VTK_LONG)
+		return NumberType::int64;
+	if (type == VTK_UNSIGNED_LONG)
+		return NumberType::uint64;
+	if (type == VTK_CHAR)
+		return NumberType::int8;
 	const auto* found = std::ranges::find(kVtkTypes, type);
 	return found == std::end(kVtkTypes) ? std::nullopt : std::optional(static_cast<NumberType>(found - kVtkTypes));
 }

@@ -29,7 +29,7 @@ struct ValueLayout
 	std::uint64_t byteCount() const;
 };
 
-// Returns the type of numbers that VTK calls so, or nothing for other types.
+// Returns the type of numbers that VTK calls so, or nothing for other types: strings, bits and variants.
 std::optional<grid::NumberType> numberTypeOfVtk(int type);
 int vtkTypeOf(grid::NumberType type);
 

@@ -1,7 +1,6 @@
 #include "pack_division.h"
 
 #include "octree_parts.h"
-#include "read/cell_types.h"
 #include "read/check_mesh.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/cells/cell_lists.h"
@@ -14,7 +13,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 
 namespace vp::reader::convert
@@ -163,14 +161,14 @@ void PackDivision::divideCells(std::size_t most_cells)
 		            [&](std::size_t run)
 		            {
 			            for (std::size_t c = run * at_once; c < std::min(cells.size(), (run + 1) * at_once); ++c)
-				            cells[c] = {keyOf(ids + offsets[c], ids + offsets[c + 1], bounds),
+				            cells[c] = {keyOf(ids + offsets[c], ids + endOf(c, offsets), bounds),
 				                        static_cast<std::uint32_t>(c)};
 		            });
 		    std::erase_if(cells,
 		                  [&](const CellOnCurve& cell)
 		                  {
 			                  const std::size_t c = cell.second;
-			                  if (isSeen(c, ids + offsets[c], ids + offsets[c + 1], marks))
+			                  if (isSeen(c, ids + offsets[c], ids + endOf(c, offsets), marks))
 				                  return false;
 			                  unseen.push_back(cell);
 			                  return true;
@@ -207,7 +205,7 @@ void PackDivision::choosePoints()
 			            for (std::size_t c = 0; c < cells.size(); ++c)
 			            {
 				            PackRun& run = runs_[part][c / cells_of_run_];
-				            for (auto i = offsets[cells[c]]; i < offsets[cells[c] + 1]; ++i)
+				            for (auto i = offsets[cells[c]]; i < endOf(cells[c], offsets); ++i)
 				            {
 					            const auto id = static_cast<std::uint32_t>(ids[i]);
 					            if (part < seen_parts_)

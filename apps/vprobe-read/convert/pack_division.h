@@ -1,10 +1,13 @@
 #pragma once
 
+#include "read/cell_types.h"
+
 #include <vtkCellArray.h>
 #include <vtkTypeInt32Array.h>
 #include <vtkTypeInt64Array.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -73,6 +76,13 @@ public:
 			use(cells->GetOffsetsArray64()->GetPointer(0), cells->GetConnectivityArray64()->GetPointer(0));
 		else
 			use(cells->GetOffsetsArray32()->GetPointer(0), cells->GetConnectivityArray32()->GetPointer(0));
+	}
+	// Returns where the ids of a cell end. Some files list more points than its type has: the first ones are used.
+	template <class Id>
+	Id endOf(std::size_t cell, const Id* offsets) const
+	{
+		const auto size = static_cast<Id>(read::slicedCellSize(types_[cell]));
+		return size > 0 ? std::min(offsets[cell + 1], static_cast<Id>(offsets[cell] + size)) : offsets[cell + 1];
 	}
 	// Calls work(NUMBER) for each of so many, on all threads.
 	void forEach(std::size_t count, const std::function<void(std::size_t)>& work) const;

@@ -198,7 +198,7 @@ private:
 		    [&](const auto* offsets, const auto* ids)
 		    {
 			    for (const std::uint32_t cell : division_.cells(part))
-				    for (auto i = offsets[cell]; i < offsets[cell + 1]; ++i)
+				    for (auto i = offsets[cell]; i < division_.endOf(cell, offsets); ++i)
 					    put(&within[static_cast<std::size_t>(ids[i])], sizeof(std::int32_t), to);
 		    });
 	}
@@ -212,7 +212,7 @@ private:
 		    {
 			    for (const std::uint32_t cell : division_.cells(part))
 			    {
-				    end += static_cast<std::int32_t>(offsets[cell + 1] - offsets[cell]);
+				    end += static_cast<std::int32_t>(division_.endOf(cell, offsets) - offsets[cell]);
 				    put(&end, sizeof(end), to);
 			    }
 		    });

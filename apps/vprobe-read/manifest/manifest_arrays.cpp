@@ -2,6 +2,7 @@
 #include "manifest_writer.h"
 
 #include "vprobe-read/arrays/stored_array.h"
+#include "vprobe-read/arrays/value_image.h"
 #include "vprobe-read/base/is_one_of.h"
 #include "vprobe-read/base/refusal.h"
 
@@ -26,42 +27,6 @@ using nlohmann::json;
 
 namespace
 {
-
-// vtkIdType and the longs have 64 bits in every VTK we are built against. Strings, bits and variants have no number
-// type.
-std::optional<NumberType> numberTypeOf(vtkDataArray* array)
-{
-	static_assert(sizeof(vtkIdType) == 8 && sizeof(long) == 8);
-	switch (array->GetDataType())
-	{
-	case VTK_CHAR:
-	case VTK_SIGNED_CHAR:
-		return NumberType::int8;
-	case VTK_UNSIGNED_CHAR:
-		return NumberType::uint8;
-	case VTK_SHORT:
-		return NumberType::int16;
-	case VTK_UNSIGNED_SHORT:
-		return NumberType::uint16;
-	case VTK_INT:
-		return NumberType::int32;
-	case VTK_UNSIGNED_INT:
-		return NumberType::uint32;
-	case VTK_LONG:
-	case VTK_LONG_LONG:
-	case VTK_ID_TYPE:
-		return NumberType::int64;
-	case VTK_UNSIGNED_LONG:
-	case VTK_UNSIGNED_LONG_LONG:
-		return NumberType::uint64;
-	case VTK_FLOAT:
-		return NumberType::float32;
-	case VTK_DOUBLE:
-		return NumberType::float64;
-	default:
-		return std::nullopt;
-	}
-}
 
 // Turns bits into bytes. Returns null for texts.
 vtkSmartPointer<vtkDataArray> withBytesForBits(vtkDataArray* array)
@@ -101,7 +66,7 @@ vtkSmartPointer<vtkDataSet> Writer::withWishedArrays(vtkDataSet* given, json& le
 		for (int i = 0; i < fields->GetNumberOfArrays();)
 		{
 			vtkDataArray* array = fields->GetArray(i);
-			const auto type = array ? numberTypeOf(array) : std::nullopt;
+			const auto type = array ? arrays::numberTypeOfVtk(array->GetDataType()) : std::nullopt;
 			const bool is_mark = array && array->GetName() &&
 			                     std::string_view(array->GetName()) == vtkDataSetAttributes::GhostArrayName();
 			if (!type || is_mark || !array->GetName())
@@ -145,7 +110,7 @@ json Writer::describeArrays(vtkDataSet* points, vtkDataSet* cells)
 			const vtkSmartPointer<vtkDataArray> array = withBytesForBits(fields->GetArray(i));
 			if (!array)
 				warnAboutText(association, fields->GetAbstractArray(i));
-			const auto type = array ? numberTypeOf(array) : std::nullopt;
+			const auto type = array ? arrays::numberTypeOfVtk(array->GetDataType()) : std::nullopt;
 			if (!type || array == cells->GetCellGhostArray() || array == points->GetPointGhostArray())
 				continue; // ghost marks have done their work
 			const std::string name = array->GetName() ? array->GetName() : fmt::format("array {}", i);
