@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -31,13 +32,15 @@ TEST_F(Packs, LookLikeTheirInputs)
 		open({input, "--normal", "0.3", "0.5", "0.8"});
 		std::vector<vp::render::Picture>& seen = pictures.emplace_back();
 		// Whole cells need all parts, and their neighbors.
-		for (const char* action : {"push_forward", "push_back", "crinkle", "push_back", "crinkle"})
+		for (const char* line :
+		     {"do push_forward", "do push_back", "set crinkle true", "do push_back", "set crinkle false"})
 		{
-			act(action);
+			command(line);
 			settle();
 			seen.push_back(rest(middle_));
 		}
 		close();
+		std::filesystem::remove(path("commands"));
 	}
 	EXPECT_GT(difference(pictures[0][1], pictures[0][2]), 0.0);
 	for (std::size_t picture = 0; picture < pictures[0].size(); ++picture)
