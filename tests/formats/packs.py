@@ -216,16 +216,16 @@ ODD = """# vtk DataFile Version 3.0
 a tetrahedron that lists five points, and ids
 ASCII
 DATASET UNSTRUCTURED_GRID
-POINTS 6 float
-0 0 0  1 0 0  0 1 0  0 0 1  1 1 1  2 2 2
+POINTS 7 float
+0 0 0  1 0 0  0 1 0  0 0 1  1 1 1  2 2 2  -1 -1 -1
 CELLS 3 15
 5 0 1 2 3 5  4 1 2 3 4  3 0 1 2
 CELL_TYPES 3
 10 10 5
-POINT_DATA 6
+POINT_DATA 7
 SCALARS id vtkIdType 1
 LOOKUP_TABLE default
-10 20 30 40 50 60
+10 20 30 40 50 60 70
 CELL_DATA 3
 SCALARS long long 1
 LOOKUP_TABLE default
@@ -234,7 +234,7 @@ LOOKUP_TABLE default
 
 
 def packs_keep_what_is_odd(folder):
-    """Ids of VTK's own type are numbers, and of too many points the first ones are used."""
+    """Ids of VTK's own type are numbers, of too many points the first ones are used, and some have no cell."""
     path, pack = folder / 'odd.vtk', folder / 'odd.vtkhdf'
     path.write_text(ODD)
     vprobe('pack', path, '-o', pack)

@@ -70,6 +70,7 @@ public:
 		const auto count = [](vtkIdType number) { return std::array<std::int64_t, 1>{number}; };
 		writeAttribute(own, "NumberOfPoints", H5T_NATIVE_INT64, count(grid_->GetNumberOfPoints()));
 		writeAttribute(own, "NumberOfCells", H5T_NATIVE_INT64, count(grid_->GetNumberOfCells()));
+		writeAttribute(own, "PointsOfNoCell", H5T_NATIVE_INT64, count(pointsOfNoCell()));
 		writeAttribute(own, "CellsOfRun", H5T_NATIVE_INT64, count(static_cast<vtkIdType>(division_.cellsOfRun())));
 		const PackDivision::LeftOut& left_out = division_.leftOut();
 		writeAttribute(own, "FlatCells", H5T_NATIVE_INT64, count(left_out.flat));
@@ -101,6 +102,15 @@ private:
 		writeValues(root, "NumberOfPoints", H5T_NATIVE_INT64, sides, points.data());
 		writeValues(root, "NumberOfCells", H5T_NATIVE_INT64, sides, cells.data());
 		writeValues(root, "NumberOfConnectivityIds", H5T_NATIVE_INT64, sides, ids.data());
+	}
+
+	vtkIdType pointsOfNoCell() const
+	{
+		std::vector<bool> has_cell(static_cast<std::size_t>(grid_->GetNumberOfPoints()));
+		for (std::size_t part = 0; part < division_.parts(); ++part)
+			for (const std::uint32_t point : division_.points(part))
+				has_cell[point] = true;
+		return std::ranges::count(has_cell, false);
 	}
 
 	// A box and the number of ids for each run of cells.

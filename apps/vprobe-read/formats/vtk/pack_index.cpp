@@ -46,7 +46,8 @@ PackIndex::PackIndex(const hdf5::File& file, const WantsVtkHdfArray& wants)
 	if (const double version = file.realOr(kOwn, "Version", 1.0); version >= 2.0)
 		throw Refusal(
 		    fmt::format("a pack of version {}; install a newer vprobe, or pack it again with this one", version));
-	if (all_points_ > parts_.all_points || all_cells_ != parts_.all_cells)
+	const std::uint64_t lone_points = checkedCount(file_.realOr(kOwn, "PointsOfNoCell", 0.0), "PointsOfNoCell");
+	if (all_points_ > parts_.all_points + lone_points || all_cells_ != parts_.all_cells)
 		throw damaged("its parts do not make up the whole");
 	listRuns();
 	listFarthest();
