@@ -14,7 +14,7 @@ grid::Block buildBlock(CheckedBlock&& checked, std::string name, bool identifies
 	block.fields = std::move(checked.fields);
 	block.length_units = std::move(checked.length_units);
 	block.imaging = std::move(checked.imaging);
-	block.geometry = identifies_geometry ? geometryOf(checked) : 0;
+	block.geometry = identifies_geometry && !checked.runs ? geometryOf(checked) : 0; // cells in runs were not read yet
 	block.arrays_left_out = std::move(checked.arrays_left_out);
 	block.hidden_lattice = checked.hidden_lattice;
 	block.whole = std::move(checked.whole);
