@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <span>
 
 namespace vp::session
@@ -49,6 +50,9 @@ bool mustLetGo(const grid::CellRuns& runs, std::span<const std::uint32_t> met)
 	return runs.use().kept > 0 && runs.bytesAfter(met) > parts::KeptParts::ofProcess().budget();
 }
 
+// More bytes than these take some time to read.
+constexpr std::uint64_t kTold = 128 << 20;
+
 } // namespace
 
 Result<bool> Session::changesBlocksFor(const FrameRequest& request) const
@@ -78,6 +82,9 @@ Status Session::readParts(const FrameRequest& request, const std::stop_token& st
 		if (!block.runs)
 			continue;
 		const std::vector<std::uint32_t> met = runsMet(*block.runs, cutRequest(request).probe);
+		std::optional<Progress> progress;
+		if (block.runs->bytesAfter(met) > block.runs->bytesAfter({}) + kTold)
+			progress.emplace("reading parts");
 		if (!mustLetGo(*block.runs, met))
 		{
 			block.runs->startCounting();
