@@ -30,8 +30,8 @@ constexpr std::array<std::array<std::uint8_t, 4>, 16> kSidesOfFour = []
 
 /// Four at a time in float, where that is certain. Beyond the bounds nothing is.
 template <class Number>
-void takeSides(const Number* xyz, const surface::Plane& plane, const Box& bounds, std::size_t begin, std::size_t end,
-               std::uint8_t* sides)
+void takeSidesOf(const Number* xyz, const surface::Plane& plane, const Box& bounds, std::size_t begin, std::size_t end,
+                 std::uint8_t* sides)
 {
 	const surface::SignFilter filter(plane, bounds);
 	for (std::size_t p = begin; p < end;)
@@ -55,9 +55,9 @@ void takeSides(const grid::UnstructuredGrid& grid, const surface::Plane& plane, 
 {
 	const grid::Points& points = grid.coordinates();
 	if (points.isDouble())
-		takeSides(points.doubles(), plane, bounds, begin, end, sides);
+		takeSidesOf(points.doubles(), plane, bounds, begin, end, sides);
 	else
-		takeSides(points.floats(), plane, bounds, begin, end, sides);
+		takeSidesOf(points.floats(), plane, bounds, begin, end, sides);
 }
 
 void takeSides(const grid::UnstructuredGrid& grid, const surface::Plane& plane, std::span<const PointId> points,
