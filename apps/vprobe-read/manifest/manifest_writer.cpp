@@ -219,8 +219,8 @@ json Writer::describePack(json facts, std::span<const std::array<double, 3>> far
 
 bool Writer::addPackInPlace(const DescribePlaces& describe, json facts, std::span<const std::array<double, 3>> farthest)
 {
-	std::optional<json> block = describe(writer_);
-	if (!block || displacement_.isOn())
+	std::optional<json> block = displacement_.isOn() ? std::nullopt : describe(writer_);
+	if (!block)
 		return false;
 	takePackCounts(facts);
 	(*block)["pack"] = describePack(std::move(facts), farthest);
