@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Files that other programs write: read, and compared with the same data in a file of VTK or NRRD.
 
-usage: others.py VPROBE [PART-OF-A-NAME | N/M]; N/M is every M-th case from the N-th on. convert_reference_sets, which
-takes long, runs by its whole name only
+usage: others.py VPROBE [PART-OF-A-NAME | N/M | drawn]; N/M is every M-th case from the N-th on, and `drawn` are those that
+need a Vulkan device. convert_reference_sets, which takes long, runs by its whole name only
 
 VPROBE_TRY_EVERY asks for every so many of the cases (tests/unit/support/tries.h), VPROBE_LONG for all.
 A case whose program or module is missing is left out; exit code 77 where that is all of them.
@@ -22,6 +22,7 @@ import conventions
 import conversion
 import curved
 import damage
+import drawn
 import ensight
 import everyday
 import exodus
@@ -49,9 +50,11 @@ def chosen_cases():
              ensight.CASES + models.CASES + damage.CASES + pictures.CASES + labels.CASES + everyday.CASES +
              parts.CASES + newest.CASES + scans.CASES + stacked.CASES + zarr3.CASES + n5.CASES + packs.CASES)
     wanted = sys.argv[2] if len(sys.argv) > 2 else '1/1'
+    if wanted == 'drawn':
+        return drawn.CASES
     part = re.fullmatch(r'(\d+)/(\d+)', wanted)
     if not part:
-        return [case for case in cases if wanted in case.__name__ and
+        return [case for case in cases + drawn.CASES if wanted in case.__name__ and
                 (case is not conversion.convert_reference_sets or wanted == case.__name__)]
     every = 1 if 'VPROBE_LONG' in os.environ else int(os.environ.get('VPROBE_TRY_EVERY', 1))
     cases = [case for case in cases if case is not conversion.convert_reference_sets]
