@@ -1,6 +1,7 @@
 #include "classify/gpu_upload.h"
 
 #include "base/parallel_for.h"
+#include "base/parallel_reduce.h"
 #include "cases/case_table.h"
 #include "classify/gpu_points.h"
 #include "gpu/upload.h"
@@ -11,7 +12,6 @@
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <bit>
@@ -73,7 +73,7 @@ Box pointBounds(const grid::Points& points)
 		a.include(b);
 		return a;
 	};
-	return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, points.size(), kGrain), Box{}, include, join);
+	return parallelReduce(points.size(), kGrain, Box{}, include, join);
 }
 
 std::uint32_t cellsKind(const grid::AnyGrid& grid)

@@ -1,13 +1,12 @@
 #include "contour/box_contour.h"
 
+#include "base/parallel_for.h"
 #include "base/timeline.h"
 #include "contour/box_traversal.h"
 #include "contour/sheet_pieces.h"
 #include "grid/shown_value.h"
 #include "mesh/build_mesh.h"
 #include "mesh/mesh_values.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cassert>
@@ -114,7 +113,7 @@ void BoxContourer::findValues()
 		return sum;
 	};
 	values_.resize(mesh_.positions.size());
-	tbb::parallel_for(std::size_t(0), values_.size(), [&](std::size_t v) { values_[v] = ofVertex(v); });
+	tracedFor(std::size_t(0), values_.size(), [&](std::size_t v) { values_[v] = ofVertex(v); });
 	for (const double value : values_)
 		if (std::isfinite(value))
 			range_ = range_ ? std::pair(std::min(range_->first, value), std::max(range_->second, value))

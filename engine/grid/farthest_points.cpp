@@ -1,8 +1,9 @@
 #include "grid/farthest_points.h"
 
+#include "base/parallel_for.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/combinable.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <tuple>
@@ -48,18 +49,18 @@ std::size_t FarthestPoints::binOf(const Vec3& way) const
 void FarthestPoints::include(const Box& box, std::size_t count, const std::function<Vec3(std::size_t)>& point)
 {
 	tbb::combinable<std::vector<Farthest>> found([this] { return std::vector<Farthest>(bins_.size()); });
-	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 65536),
-	                  [&](const tbb::blocked_range<std::size_t>& range)
-	                  {
-		                  std::vector<Farthest>& mine = found.local();
-		                  for (std::size_t i = range.begin(); i < range.end(); ++i)
-		                  {
-			                  const Vec3 p = point(i);
-			                  const Vec3 way = p - middle_;
-			                  if (way != Vec3(0.0) && liesWithin(box, p))
-				                  mine[binOf(way)].include(glm::dot(way, way), p);
-		                  }
-	                  });
+	tracedFor(tbb::blocked_range<std::size_t>(0, count, 65536),
+	          [&](const tbb::blocked_range<std::size_t>& range)
+	          {
+		          std::vector<Farthest>& mine = found.local();
+		          for (std::size_t i = range.begin(); i < range.end(); ++i)
+		          {
+			          const Vec3 p = point(i);
+			          const Vec3 way = p - middle_;
+			          if (way != Vec3(0.0) && liesWithin(box, p))
+				          mine[binOf(way)].include(glm::dot(way, way), p);
+		          }
+	          });
 	found.combine_each(
 	    [&](const std::vector<Farthest>& some)
 	    {

@@ -1,12 +1,12 @@
 #include "grid/field.h"
 
+#include "base/parallel_reduce.h"
 #include "grid/array_facts.h"
 #include "grid/number_types.h"
 #include "grid/shown_value.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <array>
@@ -244,9 +244,7 @@ ValueSpan valueSpan(const Field& field, int component)
 			a.include(b);
 			return a;
 		};
-		// Split alike for any number of threads, so that even the sign of a zero is.
-		return tbb::parallel_deterministic_reduce(tbb::blocked_range<std::size_t>(0, field.tuples(), 65536),
-		                                          ValueSpan{}, scan, join);
+		return parallelReduce(field.tuples(), 65536, ValueSpan{}, scan, join);
 	};
 	return withNumberType(field.type, range);
 }

@@ -1,10 +1,10 @@
 #include "grid/labels.h"
 
+#include "base/parallel_reduce.h"
 #include "grid/number_types.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_reduce.h>
 
 #include <atomic>
 #include <cstring>
@@ -140,9 +140,7 @@ Distinct distinctValues(const Field& field, std::size_t most)
 			a.take(b);
 			return a;
 		};
-		return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, field.tuples(), kTuplesAtOnce), Found(most),
-		                            take, join)
-		    .values();
+		return parallelReduce(field.tuples(), kTuplesAtOnce, Found(most), take, join).values();
 	};
 	return withNumberType(field.type, scan);
 }

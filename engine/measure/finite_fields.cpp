@@ -1,7 +1,8 @@
 #include "measure/finite_fields.h"
 
+#include "base/parallel_reduce.h"
+
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +38,7 @@ bool areOrdinary(const std::byte* bytes, std::size_t count)
 		}
 		return ordinary;
 	};
-	return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, count, 65536), true, all, std::logical_and<>());
+	return parallelReduce(count, 65536, true, all, std::logical_and<>());
 }
 
 } // namespace

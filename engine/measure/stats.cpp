@@ -1,6 +1,7 @@
 #include "measure/stats.h"
 
 #include "base/ordered_sum.h"
+#include "base/parallel_reduce.h"
 #include "measure/components.h"
 #include "mesh/fetch_values.h"
 #include "mesh/mesh_values.h"
@@ -8,7 +9,6 @@
 #include "mesh/own_polygons.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
@@ -114,7 +114,7 @@ bool areFinite(std::size_t count, const IsFinite& is_finite)
 			so_far = is_finite(i);
 		return so_far;
 	};
-	return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, count, 4096), true, all, std::logical_and<>());
+	return parallelReduce(count, 4096, true, all, std::logical_and<>());
 }
 
 // Returns true if all values that `count` lookups could return are known to be finite.

@@ -1,12 +1,12 @@
 #include "mesh/mesh_records.h"
 
 #include "base/parallel_for.h"
+#include "base/parallel_reduce.h"
 #include "mesh/bridges.h"
 #include "mesh/mesh_values.h"
 #include "mesh/polygon_fans.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
@@ -93,8 +93,8 @@ void MeshRecords::takePlaces(const probe::Sheet& sheet)
 {
 	const Vec3 x_axis = sheet.xAxis();
 	places_.resize(mesh_.positions.size());
-	bounds_ = tbb::parallel_reduce(
-	    tbb::blocked_range<std::size_t>(0, places_.size(), kRecordChunk), UvBounds(),
+	bounds_ = parallelReduce(
+	    places_.size(), kRecordChunk, UvBounds(),
 	    [&](const auto& range, UvBounds bounds)
 	    {
 		    for (std::size_t v = range.begin(); v < range.end(); ++v)

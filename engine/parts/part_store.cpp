@@ -1,10 +1,10 @@
 #include "parts/part_store.h"
 
 #include "base/bytes_read.h"
+#include "base/parallel_for.h"
 #include "parts/stoppable.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 
@@ -39,6 +39,20 @@ std::size_t bytesOfAll(const Layout& layout, std::span<const std::uint64_t> numb
 	for (const std::uint64_t number : numbers)
 		sum += layout.bytesOf(number);
 	return sum;
+}
+
+std::uint64_t partsAtOnce(const Source& source, const Layout& layout)
+{
+	return std::max<std::uint64_t>(source.bytesAtOnce() / layout.bytesOf(0), 1);
+}
+
+// Calls act(some) for ranges of `most` numbers or fewer that together are 0 to count, on all cores.
+template <class Act>
+void forGroups(std::uint64_t count, std::uint64_t most, const Act& act)
+{
+	tracedFor(std::uint64_t(0), (count + most - 1) / most,
+	          [&](std::uint64_t group)
+	          { act(tbb::blocked_range<std::uint64_t>(group * most, std::min((group + 1) * most, count))); });
 }
 
 } // namespace
@@ -129,8 +143,7 @@ std::shared_ptr<const PartBytes> PartStore::readSeveral(const std::vector<std::u
 {
 	source_->announce(numbers);
 	std::shared_ptr<const PartBytes> first;
-	const std::size_t grain = std::max<std::size_t>(source_->bytesAtOnce() / layout_.bytesOf(0), 1);
-	const auto read = [&](const tbb::blocked_range<std::size_t>& some)
+	const auto read = [&](const tbb::blocked_range<std::uint64_t>& some)
 	{
 		std::vector<std::shared_ptr<PartBytes>> parts;
 		std::vector<Wanted> wanted;
@@ -148,7 +161,7 @@ std::shared_ptr<const PartBytes> PartStore::readSeveral(const std::vector<std::u
 		for (std::size_t i = 0; i < parts.size(); ++i)
 			KeptParts::ofProcess().keep({number_, wanted[i].number}, std::move(parts[i]));
 	};
-	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, numbers.size(), grain), read, tbb::simple_partitioner());
+	forGroups(numbers.size(), partsAtOnce(*source_, layout_), read);
 	return first;
 }
 
@@ -204,7 +217,6 @@ void PartStore::forEachRun(const Visit& visit, const std::function<bool()>& isEn
 				      static_cast<std::size_t>(held[0]));
 			}
 	};
-	const std::size_t grain = std::max<std::size_t>(source_->bytesAtOnce() / layout_.bytesOf(0), 1);
 	const auto visitSome = [&](const tbb::blocked_range<std::uint64_t>& some)
 	{
 		if (isEnough && isEnough())
@@ -228,8 +240,7 @@ void PartStore::forEachRun(const Visit& visit, const std::function<bool()>& isEn
 		for (std::size_t i = 0; i < parts.size(); ++i)
 			visitPart(numbers[i], parts[i]);
 	};
-	tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, layout_.partCount(), grain), visitSome,
-	                  tbb::simple_partitioner());
+	forGroups(layout_.partCount(), partsAtOnce(*source_, layout_), visitSome);
 }
 
 void PartStore::noteMet(std::uint64_t number) const

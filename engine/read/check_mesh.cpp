@@ -1,12 +1,12 @@
 #include "read/check_mesh.h"
 
+#include "base/parallel_reduce.h"
 #include "grid/curved/curved_cells.h"
 #include "read/cell_types.h"
 
 #include <fmt/format.h>
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <array>
@@ -30,8 +30,8 @@ constexpr std::size_t kGrain = 1 << 16;
 template <class Bad>
 std::size_t firstWhere(std::size_t n, Bad&& bad)
 {
-	return tbb::parallel_reduce(
-	    tbb::blocked_range<std::size_t>(0, n, kGrain), kNone,
+	return parallelReduce(
+	    n, kGrain, kNone,
 	    [&](const tbb::blocked_range<std::size_t>& range, std::size_t found)
 	    {
 		    if (found != kNone)
@@ -127,8 +127,7 @@ bool areAlike(const grid::CellList& cells, const std::array<int, 256>& sizes)
 		return so_far && other_types == 0 && others == 0;
 	};
 	return cells.connectivity.size() == cells.types.size() * static_cast<std::size_t>(size) &&
-	       tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, cells.types.size(), kGrain), true, alikeIn,
-	                            std::logical_and<>());
+	       parallelReduce(cells.types.size(), kGrain, true, alikeIn, std::logical_and<>());
 }
 
 struct Types

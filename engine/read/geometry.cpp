@@ -1,6 +1,6 @@
 #include "read/geometry.h"
 
-#include <tbb/parallel_for.h>
+#include "base/parallel_for.h"
 
 #include <algorithm>
 #include <array>
@@ -39,12 +39,12 @@ public:
 		add(std::uint64_t(count));
 		const std::span<const std::byte> bytes = std::as_bytes(std::span(numbers, count));
 		std::vector<std::uint64_t> values((bytes.size() + kChunkBytes - 1) / kChunkBytes);
-		tbb::parallel_for(std::size_t(0), values.size(),
-		                  [&](std::size_t chunk)
-		                  {
-			                  const auto rest = bytes.subspan(chunk * kChunkBytes);
-			                  values[chunk] = valueOf(rest.first(std::min(rest.size(), kChunkBytes)));
-		                  });
+		tracedFor(std::size_t(0), values.size(),
+		          [&](std::size_t chunk)
+		          {
+			          const auto rest = bytes.subspan(chunk * kChunkBytes);
+			          values[chunk] = valueOf(rest.first(std::min(rest.size(), kChunkBytes)));
+		          });
 		for (const std::uint64_t value : values)
 			add(value);
 	}

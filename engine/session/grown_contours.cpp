@@ -5,7 +5,6 @@
 #include "measure/sheet_lookup.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <cmath>
 

@@ -1,8 +1,7 @@
 #include "surface/leaf_values.h"
 
+#include "base/parallel_for.h"
 #include "grid/shown_value.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
@@ -57,7 +56,7 @@ LeafValues::LeafValues(const grid::Block& block, const grid::Field& field, int c
 		                 std::nextafter(static_cast<float>(hi), kInfinity)};
 	};
 	std::visit([&](const auto& grid)
-	           { tbb::parallel_for(std::size_t(0), leaves_.size(), [&](std::size_t leaf) { scan(grid, leaf); }); },
+	           { tracedFor(std::size_t(0), leaves_.size(), [&](std::size_t leaf) { scan(grid, leaf); }); },
 	           block.grid);
 	all_finite_ = all_finite;
 	for (const grid::BlockTree::Node& group : tree.groups())

@@ -1,12 +1,12 @@
 #include "write/slice_table.h"
 
+#include "base/parallel_for.h"
 #include "grid/number_types.h"
 #include "mesh/mesh_values.h"
 #include "mesh/part_holes.h"
 #include "write/set_arrays.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cstring>
@@ -43,14 +43,13 @@ using Meshes = std::span<const mesh::SheetMesh* const>;
 template <class Number>
 void storeComponent(std::span<const double> values, int component, int components, std::byte* begin)
 {
-	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, values.size(), 16384),
-	                  [&](const tbb::blocked_range<std::size_t>& some)
-	                  {
-		                  for (std::size_t v = some.begin(); v < some.end(); ++v)
-			                  grid::storeAs<Number>(values[v],
-			                                        begin + (v * static_cast<std::size_t>(components) + component) *
-			                                                    sizeof(Number));
-	                  });
+	tracedFor(tbb::blocked_range<std::size_t>(0, values.size(), 16384),
+	          [&](const tbb::blocked_range<std::size_t>& some)
+	          {
+		          for (std::size_t v = some.begin(); v < some.end(); ++v)
+			          grid::storeAs<Number>(values[v], begin + (v * static_cast<std::size_t>(components) + component) *
+			                                                       sizeof(Number));
+	          });
 }
 
 Column vertexColumn(const grid::BlockSet& blocks, Meshes meshes, const SetArray& source)
@@ -112,12 +111,12 @@ Column polygonColumn(const grid::BlockSet& blocks, Meshes meshes, const SliceTab
 template <class Work>
 void forPolygons(const mesh::SheetMesh& mesh, Work&& work)
 {
-	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.polygons(), 4096),
-	                  [&](const tbb::blocked_range<std::size_t>& some)
-	                  {
-		                  for (std::size_t p = some.begin(); p < some.end(); ++p)
-			                  work(p);
-	                  });
+	tracedFor(tbb::blocked_range<std::size_t>(0, mesh.polygons(), 4096),
+	          [&](const tbb::blocked_range<std::size_t>& some)
+	          {
+		          for (std::size_t p = some.begin(); p < some.end(); ++p)
+			          work(p);
+	          });
 }
 
 // base: vertices before those of the mesh.

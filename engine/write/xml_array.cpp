@@ -1,10 +1,10 @@
 #include "write/xml_array.h"
 
+#include "base/parallel_reduce.h"
 #include "write/unique_names.h"
 #include "write/xml_text.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +65,7 @@ Range rangeOf(const std::byte* numbers, std::size_t tuples, std::size_t componen
 		return a;
 	};
 	constexpr std::size_t kGrain = 65536;
-	return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, tuples, kGrain), Range{}, include, join);
+	return parallelReduce(tuples, kGrain, Range{}, include, join);
 }
 
 Range rangeOf(grid::NumberType type, const std::byte* numbers, std::size_t tuples, std::size_t components)

@@ -1,10 +1,10 @@
 #include "grid/check/quality.h"
 
+#include "base/parallel_for.h"
 #include "grid/cell_turn.h"
 #include "grid/measure.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
@@ -134,14 +134,14 @@ template <Grid G, class Take>
 void inspectCells(const G& grid, Take&& take)
 {
 	std::vector<CellFaults> chunks((grid.cellCount() + kFaultChunk - 1) / kFaultChunk);
-	tbb::parallel_for(std::size_t(0), chunks.size(),
-	                  [&](std::size_t n)
-	                  {
-		                  CellFaces faces;
-		                  const std::size_t end = std::min(grid.cellCount(), (n + 1) * kFaultChunk);
-		                  for (std::size_t c = n * kFaultChunk; c < end; ++c)
-			                  inspectCell(grid, static_cast<CellId>(c), faces, chunks[n]);
-	                  });
+	tracedFor(std::size_t(0), chunks.size(),
+	          [&](std::size_t n)
+	          {
+		          CellFaces faces;
+		          const std::size_t end = std::min(grid.cellCount(), (n + 1) * kFaultChunk);
+		          for (std::size_t c = n * kFaultChunk; c < end; ++c)
+			          inspectCell(grid, static_cast<CellId>(c), faces, chunks[n]);
+	          });
 	for (const CellFaults& chunk : chunks)
 		take(chunk);
 }

@@ -1,9 +1,9 @@
+#include "base/parallel_for.h"
 #include "grid/cell_places.h"
 #include "grid/check/quality.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/combinable.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -99,21 +99,20 @@ private:
 		cells_ = grid.cellCount();
 		patches_.resize((cells_ + kPatchCells - 1) / kPatchCells);
 		groups_.resize((patches_.size() + kGroupCellPatches - 1) / kGroupCellPatches);
-		tbb::parallel_for(std::size_t(0), groups_.size(),
-		                  [&](std::size_t g)
-		                  {
-			                  CellFaces faces;
-			                  const std::size_t end = std::min(patches_.size(), (g + 1) * kGroupCellPatches);
-			                  for (std::size_t p = g * kGroupCellPatches; p < end; ++p)
-			                  {
-				                  for (std::size_t c = p * kPatchCells; c < std::min(cells_, (p + 1) * kPatchCells);
-				                       ++c)
-				                  {
-					                  patches_[p].include(boxOf(grid, static_cast<CellId>(c), faces));
-				                  }
-				                  groups_[g].include(patches_[p]);
-			                  }
-		                  });
+		tracedFor(std::size_t(0), groups_.size(),
+		          [&](std::size_t g)
+		          {
+			          CellFaces faces;
+			          const std::size_t end = std::min(patches_.size(), (g + 1) * kGroupCellPatches);
+			          for (std::size_t p = g * kGroupCellPatches; p < end; ++p)
+			          {
+				          for (std::size_t c = p * kPatchCells; c < std::min(cells_, (p + 1) * kPatchCells); ++c)
+				          {
+					          patches_[p].include(boxOf(grid, static_cast<CellId>(c), faces));
+				          }
+				          groups_[g].include(patches_[p]);
+			          }
+		          });
 	}
 
 	const Block& block_;
@@ -270,13 +269,13 @@ BlockOverlaps findBlockOverlaps(const BlockSet& set)
 	boxes.reserve(set.blocks.size());
 	for (std::size_t b = 0; b < set.blocks.size(); ++b)
 		boxes.emplace_back(set.blocks[b], wanted[b]);
-	tbb::parallel_for(std::size_t(0), found.pairs.size(),
-	                  [&](std::size_t p)
-	                  {
-		                  BlockOverlap& pair = found.pairs[p];
-		                  lookBetween(set, pair.a, pair.b, boxes, most, pair);
-		                  lookBetween(set, pair.b, pair.a, boxes, most, pair);
-	                  });
+	tracedFor(std::size_t(0), found.pairs.size(),
+	          [&](std::size_t p)
+	          {
+		          BlockOverlap& pair = found.pairs[p];
+		          lookBetween(set, pair.a, pair.b, boxes, most, pair);
+		          lookBetween(set, pair.b, pair.a, boxes, most, pair);
+	          });
 	std::erase_if(found.pairs, [](const BlockOverlap& pair) { return pair.cells == 0; });
 	return found;
 }
@@ -304,15 +303,14 @@ void findOverlaps(const BlockSet& set, Quality& quality)
 		    {
 			    const std::size_t samples = std::min(kSamples, grid.cellCount());
 			    quality.overlap_samples += samples;
-			    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, samples, 64),
-			                      [&](const auto& range)
-			                      {
-				                      Scratch scratch;
-				                      for (std::size_t s = range.begin(); s < range.end(); ++s)
-					                      lookAt(set, grid,
-					                             SetCell{b, static_cast<CellId>(s * grid.cellCount() / samples)}, boxes,
-					                             against, scratch, found.local());
-			                      });
+			    tracedFor(tbb::blocked_range<std::size_t>(0, samples, 64),
+			              [&](const auto& range)
+			              {
+				              Scratch scratch;
+				              for (std::size_t s = range.begin(); s < range.end(); ++s)
+					              lookAt(set, grid, SetCell{b, static_cast<CellId>(s * grid.cellCount() / samples)},
+					                     boxes, against, scratch, found.local());
+			              });
 		    },
 		    block.grid);
 	}

@@ -1,6 +1,6 @@
+#include "base/parallel_for.h"
 #include "grid/check/quality.h"
 
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
@@ -26,40 +26,39 @@ void sharedFaces(const UnstructuredGrid& grid, std::uint32_t block, Quality& qua
 {
 	constexpr std::size_t chunk = 16384;
 	std::vector<std::vector<std::vector<SetCell>>> found((grid.cellCount() + chunk - 1) / chunk);
-	tbb::parallel_for(std::size_t(0), found.size(),
-	                  [&](std::size_t n)
-	                  {
-		                  CellFaces faces;
-		                  CellFaces others;
-		                  const auto inspect = [&](CellId cell, int f)
-		                  {
-			                  std::vector<CellId> across;
-			                  grid.forEachNeighbor(cell, f, [&](CellId other) { across.push_back(other); });
-			                  if (across.size() < 2 ||
-			                      std::ranges::any_of(across, [&](CellId other) { return other < cell; }))
-				                  return;
-			                  grid.cellFaces(cell, faces);
-			                  const std::vector<PointId> points = distinctPoints(faces[f]);
-			                  std::vector<SetCell> cells{{block, cell}};
-			                  for (const CellId other : across)
-			                  {
-				                  grid.cellFaces(other, others);
-				                  for (int g = 0; g < others.size(); ++g)
-					                  if (distinctPoints(others[g]) == points)
-					                  {
-						                  cells.push_back({block, other});
-						                  break;
-					                  }
-			                  }
-			                  std::ranges::sort(cells);
-			                  if (cells.size() > 2)
-				                  found[n].push_back(std::move(cells));
-		                  };
-		                  const std::size_t end = std::min(grid.cellCount(), (n + 1) * chunk);
-		                  for (std::size_t c = n * chunk; c < end; ++c)
-			                  for (int f = 0; f < grid.faceCount(static_cast<CellId>(c)); ++f)
-				                  inspect(static_cast<CellId>(c), f);
-	                  });
+	tracedFor(std::size_t(0), found.size(),
+	          [&](std::size_t n)
+	          {
+		          CellFaces faces;
+		          CellFaces others;
+		          const auto inspect = [&](CellId cell, int f)
+		          {
+			          std::vector<CellId> across;
+			          grid.forEachNeighbor(cell, f, [&](CellId other) { across.push_back(other); });
+			          if (across.size() < 2 || std::ranges::any_of(across, [&](CellId other) { return other < cell; }))
+				          return;
+			          grid.cellFaces(cell, faces);
+			          const std::vector<PointId> points = distinctPoints(faces[f]);
+			          std::vector<SetCell> cells{{block, cell}};
+			          for (const CellId other : across)
+			          {
+				          grid.cellFaces(other, others);
+				          for (int g = 0; g < others.size(); ++g)
+					          if (distinctPoints(others[g]) == points)
+					          {
+						          cells.push_back({block, other});
+						          break;
+					          }
+			          }
+			          std::ranges::sort(cells);
+			          if (cells.size() > 2)
+				          found[n].push_back(std::move(cells));
+		          };
+		          const std::size_t end = std::min(grid.cellCount(), (n + 1) * chunk);
+		          for (std::size_t c = n * chunk; c < end; ++c)
+			          for (int f = 0; f < grid.faceCount(static_cast<CellId>(c)); ++f)
+				          inspect(static_cast<CellId>(c), f);
+	          });
 	for (auto& some : found)
 		std::ranges::move(some, std::back_inserter(quality.nonmanifold_faces));
 }

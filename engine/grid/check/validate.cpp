@@ -1,8 +1,8 @@
+#include "base/parallel_for.h"
 #include "grid/block.h"
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -73,13 +73,13 @@ template <Grid G>
 void checkCells(const G& grid, const Box& bounds)
 {
 	require(grid.cellCount() <= kMaxBlockIds && grid.pointCount() <= kMaxBlockIds, "too many cells or points");
-	tbb::parallel_for(tbb::blocked_range<std::size_t>(0, grid.cellCount(), 1024),
-	                  [&](const auto& range)
-	                  {
-		                  CellFaces faces;
-		                  for (std::size_t c = range.begin(); c < range.end(); ++c)
-			                  checkCell(grid, static_cast<CellId>(c), bounds, faces);
-	                  });
+	tracedFor(tbb::blocked_range<std::size_t>(0, grid.cellCount(), 1024),
+	          [&](const auto& range)
+	          {
+		          CellFaces faces;
+		          for (std::size_t c = range.begin(); c < range.end(); ++c)
+			          checkCell(grid, static_cast<CellId>(c), bounds, faces);
+	          });
 }
 
 // Source numbers of cells or points: no two alike, and all within the arrays.

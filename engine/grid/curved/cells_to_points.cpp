@@ -1,8 +1,7 @@
 #include "grid/curved/cells_to_points.h"
 
+#include "base/parallel_for.h"
 #include "grid/curved/curved_cells.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -141,8 +140,8 @@ std::vector<Field> fieldsAtPoints(const Block& block, std::vector<Field> fields)
 	for (std::size_t i = 0; i < fields.size(); ++i)
 		if (isMoved(fields[i]))
 			moved.push_back(i);
-	tbb::parallel_for(std::size_t(0), moved.size(),
-	                  [&](std::size_t i) { fields[moved[i]] = meansAtPoints(block, fields[moved[i]]); });
+	tracedFor(std::size_t(0), moved.size(),
+	          [&](std::size_t i) { fields[moved[i]] = meansAtPoints(block, fields[moved[i]]); });
 	return fields;
 }
 

@@ -1,10 +1,9 @@
 #include "grid/link/cell_order.h"
 
 #include "base/ids.h"
+#include "base/parallel_reduce.h"
 #include "grid/link/for_ranges.h"
 #include "grid/link/morton.h"
-
-#include <tbb/parallel_reduce.h>
 
 #include <atomic>
 #include <cmath>
@@ -20,8 +19,8 @@ namespace
 
 Box finiteBounds(const Points& points)
 {
-	return tbb::parallel_reduce(
-	    tbb::blocked_range<std::size_t>(0, points.size(), 65536), Box{},
+	return parallelReduce(
+	    points.size(), 65536, Box{},
 	    [&](const tbb::blocked_range<std::size_t>& range, Box box)
 	    {
 		    for (std::size_t p = range.begin(); p < range.end(); ++p)
@@ -40,8 +39,8 @@ using Counts = std::array<std::size_t, 256>; // number of cells of each VTK type
 
 Counts countTypes(std::span<const std::uint8_t> types)
 {
-	return tbb::parallel_reduce(
-	    tbb::blocked_range<std::size_t>(0, types.size(), 65536), Counts{},
+	return parallelReduce(
+	    types.size(), 65536, Counts{},
 	    [&](const tbb::blocked_range<std::size_t>& range, Counts counts)
 	    {
 		    // Most lists hold long runs of one type, and many types are compared in one step.

@@ -1,9 +1,9 @@
 #include "grid/curved/curved_cells.h"
+#include "base/parallel_reduce.h"
 
 #include "grid/link/for_ranges.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <span>
@@ -45,8 +45,8 @@ CellList cornersOf(const CurvedCells& curved, std::span<const Id> nodes)
 /// Returns the bounds of the nodes between corners.
 Box boundsOfMiddles(const CurvedCells& curved)
 {
-	return tbb::parallel_reduce(
-	    tbb::blocked_range<std::size_t>(0, curved.cells.size(), 4096), Box(),
+	return parallelReduce(
+	    curved.cells.size(), 4096, Box(),
 	    [&](const tbb::blocked_range<std::size_t>& range, Box box)
 	    {
 		    for (std::size_t c = range.begin(); c < range.end(); ++c)

@@ -1,9 +1,9 @@
 #include "grid/link/morton.h"
 
 #include "base/parallel_for.h"
+#include "base/parallel_reduce.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <array>
@@ -151,8 +151,7 @@ void sortByKey(KeyedIds& items)
 			bits |= items[i].key ^ items[0].key;
 		return bits;
 	};
-	const std::uint64_t used = tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, count, 65536), std::uint64_t(0),
-	                                                differing, std::bit_or<>{});
+	const std::uint64_t used = parallelReduce(count, 65536, std::uint64_t(0), differing, std::bit_or<>{});
 
 	// The upper three digits part the keys but for those that lie close together: half the passes.
 	constexpr int kUpper = 63 - 3 * kDigitBits;

@@ -1,13 +1,12 @@
 #include "ranks/search/joined_contour.h"
 
+#include "base/parallel_for.h"
 #include "contour/sheet_pieces.h"
 #include "ranks/data/share.h"
 #include "ranks/join/hanging_borders.h"
 #include "ranks/neighborhood.h"
 #include "ranks/search/contour_faces.h"
 #include "ranks/team.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <limits>
@@ -125,14 +124,14 @@ Result<std::vector<GrownContour>> growContours(const Ranks& ranks, const grid::B
 				return grown.error();
 		return contours;
 	}
-	tbb::parallel_for(std::size_t(0), values.size(),
-	                  [&](std::size_t i)
-	                  {
-		                  if (auto grown = contourer.grow(values[i], timeline))
-			                  contours[i] = {std::move(*grown)};
-		                  else
-			                  done[i] = grown.error();
-	                  });
+	tracedFor(std::size_t(0), values.size(),
+	          [&](std::size_t i)
+	          {
+		          if (auto grown = contourer.grow(values[i], timeline))
+			          contours[i] = {std::move(*grown)};
+		          else
+			          done[i] = grown.error();
+	          });
 	for (const Status& each : done)
 		if (!each)
 			return each.error();

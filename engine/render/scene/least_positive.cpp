@@ -1,10 +1,10 @@
 #include "render/scene/least_positive.h"
 
+#include "base/parallel_reduce.h"
 #include "grid/shown_value.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,8 +56,7 @@ double leastPositive(const grid::BlockSet& blocks, const grid::FieldChoice& choi
 			}
 			return result;
 		};
-		least = tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, field->tuples(), 65536), least, scan,
-		                             [](double a, double b) { return std::min(a, b); });
+		least = parallelReduce(field->tuples(), 65536, least, scan, [](double a, double b) { return std::min(a, b); });
 	}
 	return std::isfinite(least) ? least : 0.0;
 }
