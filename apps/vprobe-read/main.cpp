@@ -1,6 +1,7 @@
 // Reads one file with VTK and hands its arrays over in shared memory; see read/protocol.h. If a damaged file makes a
 // reader crash, hang or use up memory, only this process is lost.
 #include "read/protocol.h"
+#include "read/ready_reader.h"
 #include "vprobe-read/base/bytes_read.h"
 #include "vprobe-read/base/is_one_of.h"
 #include "vprobe-read/base/read_files.h"
@@ -237,5 +238,8 @@ int run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
-	return vp::reader::run(argc, argv);
+	if (!vp::read::isAskedForCopies(argc, argv))
+		return vp::reader::run(argc, argv);
+	std::vector<std::string> arguments = vp::read::makeCopies();
+	return vp::reader::run(static_cast<int>(arguments.size()), vp::read::pointersTo(arguments).data());
 }

@@ -5,6 +5,7 @@
 #include "read/manifest.h"
 #include "read/protocol.h"
 #include "read/reader_process.h"
+#include "read/ready_reader.h"
 #include "read/sandbox.h"
 
 #include <fmt/format.h>
@@ -187,16 +188,6 @@ std::vector<std::string> argumentsFor(const std::string& file, const ReadOptions
 	return arguments;
 }
 
-// For the system's functions, which end with null.
-std::vector<char*> pointersTo(std::vector<std::string>& texts)
-{
-	std::vector<char*> pointers;
-	for (std::string& text : texts)
-		pointers.push_back(text.data());
-	pointers.push_back(nullptr);
-	return pointers;
-}
-
 rlimit limitOf(std::uint64_t value, int resource)
 {
 	rlimit limit = {};
@@ -238,15 +229,15 @@ ReaderAtWork::ReaderAtWork(const std::string& file, const ReadOptions& options, 
 }
 
 Result<ReaderAtWork> ReaderAtWork::start(const std::string& file, const ReadOptions& options, const InputLimits& limits,
-                                         const Descriptor& requests)
+                                         const Descriptor& requests, ReadyReaders* ready)
 {
 	ReaderAtWork reader(file, options, limits);
-	if (const Status started = reader.started(requests); !started)
+	if (const Status started = reader.started(requests, ready); !started)
 		return started.error();
 	return reader;
 }
 
-Status ReaderAtWork::started(const Descriptor& requests)
+Status ReaderAtWork::started(const Descriptor& requests, ReadyReaders* ready)
 {
 	const Result<std::string> found = readerProgram();
 	if (!found)
@@ -293,7 +284,8 @@ Status ReaderAtWork::started(const Descriptor& requests)
 	memory_ = setup.memory.rlim_cur;
 	file_size_ = setup.file_size.rlim_cur;
 
-	const pid_t pid = fork();
+	const std::optional<pid_t> copy = ready ? ready->copy(setup) : std::nullopt;
+	const pid_t pid = copy ? *copy : fork();
 	if (pid < 0)
 		return notStarted(std::strerror(errno));
 	if (pid == 0)

@@ -13,6 +13,8 @@
 namespace vp::read
 {
 
+class ReadyReaders;
+
 // The data from the child. Nothing is checked yet.
 struct HandedOver
 {
@@ -25,9 +27,9 @@ struct HandedOver
 class ReaderAtWork
 {
 public:
-	// requests: what the child has as standard input, if it is to have one.
+	// requests: what the child has as standard input, if it is to have one. ready: makes a copy for it, where it can.
 	static Result<ReaderAtWork> start(const std::string& file, const ReadOptions& options, const InputLimits& limits,
-	                                  const Descriptor& requests = {});
+	                                  const Descriptor& requests = {}, ReadyReaders* ready = nullptr);
 
 	// Waits until it has ended.
 	Result<HandedOver> finish();
@@ -39,7 +41,7 @@ public:
 
 private:
 	ReaderAtWork(const std::string& file, const ReadOptions& options, const InputLimits& limits);
-	Status started(const Descriptor& requests);
+	Status started(const Descriptor& requests, ReadyReaders* ready);
 	Error notInTime() const;
 
 	std::string file_;

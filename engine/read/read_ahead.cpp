@@ -12,6 +12,13 @@
 namespace vp::read
 {
 
+namespace
+{
+
+constexpr std::size_t kWorthCopies = 3; // inputs; two programs start side by side
+
+} // namespace
+
 // Returns the file of an input that is read at the time of the options; an input that is no series is itself.
 std::string fileOf(const std::string& input, const ReadOptions& options)
 {
@@ -44,7 +51,8 @@ Result<ReadAhead::AtWork> ReadAhead::start(const InputToRead& given)
 	    options.slices.empty() ? inputLimits(file, options.solution, options.format) : stackLimits(options.slices);
 	if (!limits)
 		return limits.error();
-	Result<ReaderAtWork> reader = ReaderAtWork::start(file, options, refinedLimits(*limits, options.refine));
+	ReadyReaders* const ready = inputs_.size() >= kWorthCopies ? &ready_ : nullptr;
+	Result<ReaderAtWork> reader = ReaderAtWork::start(file, options, refinedLimits(*limits, options.refine), {}, ready);
 	if (!reader)
 		return reader.error();
 	return AtWork{file, series ? series->times : std::vector<double>(), std::move(*reader)};

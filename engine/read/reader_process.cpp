@@ -64,6 +64,21 @@ void endWithPipe(int pipe, pid_t parent)
 		_exit(127);
 }
 
+// Ends this process with exit code 127 if it cannot become the program.
+[[noreturn]] void execute(const char* program, char* const* arguments, char* const* environment)
+{
+	// The parent may have blocked or ignored signals, which exec would pass on.
+	sigset_t no_signals;
+	sigemptyset(&no_signals);
+	sigprocmask(SIG_SETMASK, &no_signals, nullptr);
+	std::signal(SIGPIPE, SIG_DFL);
+	execve(program, arguments, environment);
+	const char* why = std::strerror(errno);
+	if (write(STDERR_FILENO, why, std::strlen(why)) < 0)
+		_exit(127);
+	_exit(127);
+}
+
 } // namespace
 
 Descriptor lifted(int fd)
@@ -89,7 +104,16 @@ Result<RequestEnds> requestEnds(const std::string& file)
 	return RequestEnds{lifted(ends[0]), lifted(ends[1])};
 }
 
-void becomeReader(const ChildSetup& setup)
+std::vector<char*> pointersTo(std::vector<std::string>& texts)
+{
+	std::vector<char*> pointers;
+	for (std::string& text : texts)
+		pointers.push_back(text.data());
+	pointers.push_back(nullptr);
+	return pointers;
+}
+
+void takeUp(const ChildSetup& setup)
 {
 	setpgid(0, 0); // so that whatever it starts can be ended with it
 	dup2(setup.requests, STDIN_FILENO);
@@ -116,16 +140,22 @@ void becomeReader(const ChildSetup& setup)
 		[[maybe_unused]] const ssize_t written = write(score, "1000", 4);
 		close(score);
 	}
-	// The parent may have blocked or ignored signals, which exec would pass on.
-	sigset_t no_signals;
-	sigemptyset(&no_signals);
-	sigprocmask(SIG_SETMASK, &no_signals, nullptr);
-	std::signal(SIGPIPE, SIG_DFL);
-	execve(setup.program, setup.arguments, setup.environment);
-	const char* why = std::strerror(errno);
-	if (write(STDERR_FILENO, why, std::strlen(why)) < 0)
-		_exit(127);
-	_exit(127);
+}
+
+void becomeReader(const ChildSetup& setup)
+{
+	takeUp(setup);
+	execute(setup.program, setup.arguments, setup.environment);
+}
+
+void becomeReadyReader(const ChildSetup& setup, char* const* arguments, int socket)
+{
+	setpgid(0, 0); // so that a signal to the parent's group leaves it to the parent
+	dup2(socket, STDIN_FILENO);
+	dup2(setup.null, STDOUT_FILENO);
+	dup2(setup.null, STDERR_FILENO);
+	close_range(STDERR_FILENO + 1, UINT_MAX, 0);
+	execute(setup.program, arguments, setup.environment);
 }
 
 Reader::Reader(pid_t pid, Descriptor manifest, Descriptor errors, std::chrono::seconds time)

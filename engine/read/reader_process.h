@@ -8,6 +8,7 @@
 #include <span>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include <sys/resource.h>
 #include <sys/types.h>
@@ -34,6 +35,9 @@ struct RequestEnds
 };
 Result<RequestEnds> requestEnds(const std::string& file);
 
+// For the system's functions, which take lists that end with null.
+std::vector<char*> pointersTo(std::vector<std::string>& texts);
+
 // Everything that a child needs between fork and exec, since it must not allocate there.
 struct ChildSetup
 {
@@ -54,9 +58,13 @@ struct ChildSetup
 	rlimit files;
 };
 
+// Gives this process, a child, what the setup says. Ends it if the parent is gone.
+void takeUp(const ChildSetup& setup);
 // Runs in the child after fork. If the program cannot be started, writes the reason to standard error and ends with
 // exit code 127.
 [[noreturn]] void becomeReader(const ChildSetup& setup);
+// The same for a program with these arguments that has nothing but a socket, as standard input; see ready_reader.h.
+[[noreturn]] void becomeReadyReader(const ChildSetup& setup, char* const* arguments, int socket);
 
 // The child and its two pipes, until it has ended. Whoever forks this process leaves the child to it.
 class Reader

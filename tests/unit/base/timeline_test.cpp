@@ -1,5 +1,6 @@
 #include "base/frame_scope.h"
 #include "base/parallel_for.h"
+#include "base/worker_piece.h"
 #include "base/section_use.h"
 #include "base/timeline.h"
 
