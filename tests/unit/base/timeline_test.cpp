@@ -1,8 +1,8 @@
 #include "base/frame_scope.h"
 #include "base/parallel_for.h"
-#include "base/worker_piece.h"
 #include "base/section_use.h"
 #include "base/timeline.h"
+#include "base/worker_piece.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
