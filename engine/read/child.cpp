@@ -229,15 +229,15 @@ ReaderAtWork::ReaderAtWork(const std::string& file, const ReadOptions& options, 
 }
 
 Result<ReaderAtWork> ReaderAtWork::start(const std::string& file, const ReadOptions& options, const InputLimits& limits,
-                                         const Descriptor& requests, ReadyReaders* ready)
+                                         const Descriptor& requests)
 {
 	ReaderAtWork reader(file, options, limits);
-	if (const Status started = reader.started(requests, ready); !started)
+	if (const Status started = reader.started(requests); !started)
 		return started.error();
 	return reader;
 }
 
-Status ReaderAtWork::started(const Descriptor& requests, ReadyReaders* ready)
+Status ReaderAtWork::started(const Descriptor& requests)
 {
 	const Result<std::string> found = readerProgram();
 	if (!found)
@@ -284,7 +284,7 @@ Status ReaderAtWork::started(const Descriptor& requests, ReadyReaders* ready)
 	memory_ = setup.memory.rlim_cur;
 	file_size_ = setup.file_size.rlim_cur;
 
-	const std::optional<pid_t> copy = ready ? ready->copy(setup) : std::nullopt;
+	const std::optional<pid_t> copy = options_.ready ? options_.ready->copy(setup) : std::nullopt;
 	const pid_t pid = copy ? *copy : fork();
 	if (pid < 0)
 		return notStarted(std::strerror(errno));

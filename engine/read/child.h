@@ -13,8 +13,6 @@
 namespace vp::read
 {
 
-class ReadyReaders;
-
 // The data from the child. Nothing is checked yet.
 struct HandedOver
 {
@@ -27,9 +25,9 @@ struct HandedOver
 class ReaderAtWork
 {
 public:
-	// requests: what the child has as standard input, if it is to have one. ready: makes a copy for it, where it can.
+	// requests: what the child has as standard input, if it is to have one.
 	static Result<ReaderAtWork> start(const std::string& file, const ReadOptions& options, const InputLimits& limits,
-	                                  const Descriptor& requests = {}, ReadyReaders* ready = nullptr);
+	                                  const Descriptor& requests = {});
 
 	// Waits until it has ended.
 	Result<HandedOver> finish();
@@ -41,7 +39,7 @@ public:
 
 private:
 	ReaderAtWork(const std::string& file, const ReadOptions& options, const InputLimits& limits);
-	Status started(const Descriptor& requests, ReadyReaders* ready);
+	Status started(const Descriptor& requests);
 	Error notInTime() const;
 
 	std::string file_;

@@ -7,6 +7,7 @@
 #include "read/tolerance.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -19,6 +20,8 @@ class Timeline;
 
 namespace vp::read
 {
+
+class ReadyReaders;
 
 // A choice among the times of an input: the last, the first, the one nearest to a value, or the one with an index from
 // 0.
@@ -104,6 +107,8 @@ struct ReadOptions
 	// Computes Block::geometry, which readFields() and readValues() compare. Without it they take the grids for
 	// different.
 	bool identifies_geometry = true;
+	// Serves whoever reads several files, or a file several times, and hands the same one on each time. May be null.
+	std::shared_ptr<ReadyReaders> ready{};
 };
 
 constexpr int kMaxRefine = 6;

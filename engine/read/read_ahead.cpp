@@ -3,6 +3,7 @@
 #include "base/bytes_read.h"
 #include "base/timeline.h"
 #include "read/input_limits.h"
+#include "read/ready_reader.h"
 #include "read/sandbox.h"
 #include "read/series.h"
 
@@ -12,13 +13,6 @@
 namespace vp::read
 {
 
-namespace
-{
-
-constexpr std::size_t kWorthCopies = 3; // inputs; two programs start side by side
-
-} // namespace
-
 // Returns the file of an input that is read at the time of the options; an input that is no series is itself.
 std::string fileOf(const std::string& input, const ReadOptions& options)
 {
@@ -27,12 +21,24 @@ std::string fileOf(const std::string& input, const ReadOptions& options)
 	return series ? series->files[timeIndex(series->times, options.time)] : slices.empty() ? input : slices.front();
 }
 
-ReadAhead::ReadAhead(std::vector<InputToRead> inputs) : inputs_(std::move(inputs)) {}
+ReadAhead::ReadAhead(std::vector<InputToRead> inputs) : inputs_(std::move(inputs))
+{
+	const auto ready = std::make_shared<ReadyReaders>();
+	for (InputToRead& input : inputs_)
+		if (!input.options.ready)
+			input.options.ready = ready;
+}
 
 ReadAhead::ReadAhead(const std::vector<std::string>& inputs, const ReadOptions& options)
+    : ReadAhead(
+          [&]
+          {
+	          std::vector<InputToRead> each;
+	          for (const std::string& input : inputs)
+		          each.push_back({input, options});
+	          return each;
+          }())
 {
-	for (const std::string& input : inputs)
-		inputs_.push_back({input, options});
 }
 
 Result<ReadAhead::AtWork> ReadAhead::start(const InputToRead& given)
@@ -51,8 +57,7 @@ Result<ReadAhead::AtWork> ReadAhead::start(const InputToRead& given)
 	    options.slices.empty() ? inputLimits(file, options.solution, options.format) : stackLimits(options.slices);
 	if (!limits)
 		return limits.error();
-	ReadyReaders* const ready = inputs_.size() >= kWorthCopies ? &ready_ : nullptr;
-	Result<ReaderAtWork> reader = ReaderAtWork::start(file, options, refinedLimits(*limits, options.refine), {}, ready);
+	Result<ReaderAtWork> reader = ReaderAtWork::start(file, options, refinedLimits(*limits, options.refine));
 	if (!reader)
 		return reader.error();
 	return AtWork{file, series ? series->times : std::vector<double>(), std::move(*reader)};

@@ -3,7 +3,6 @@
 #include "read/child.h"
 #include "read/manifest.h"
 #include "read/read.h"
-#include "read/ready_reader.h"
 
 #include <cstddef>
 #include <deque>
@@ -32,7 +31,7 @@ struct InputToRead
 };
 
 // Reads inputs one after the other. While one is waited for or built, the readers of those behind it are at work, as
-// many as there are cores. Where there are several, they are copies of a ReadyReader.
+// many as there are cores.
 class ReadAhead
 {
 public:
@@ -54,11 +53,10 @@ private:
 		std::vector<double> times; // empty unless it is a series
 		ReaderAtWork reader;
 	};
-	Result<AtWork> start(const InputToRead& input);
+	static Result<AtWork> start(const InputToRead& input);
 	void startSome();
 
 	std::vector<InputToRead> inputs_;
-	ReadyReaders ready_;
 	std::size_t next_ = 0;
 	std::deque<std::optional<Result<AtWork>>> started_; // from the next one on; nothing for one that no child reads
 };

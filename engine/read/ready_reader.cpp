@@ -30,6 +30,7 @@ namespace
 constexpr std::string_view kCopies = "copies"; // the only argument of a program that makes copies
 constexpr std::size_t kMostBytes = 1 << 16;    // of an order; longer ones are for a program of its own
 constexpr int kPatience = 10000;               // milliseconds to wait for a copy
+constexpr int kWorthIt = 3;
 
 // A message that asks for a copy, with these descriptors. The arguments stand behind it, each with a zero at its end.
 struct Order
@@ -165,7 +166,8 @@ ReadyReader::~ReadyReader()
 std::optional<pid_t> ReadyReaders::copy(const ChildSetup& setup)
 {
 	const std::lock_guard lock(mutex_);
-	return of_programs_[setup.program].copy(setup);
+	OfProgram& program = of_programs_[setup.program];
+	return ++program.asked < kWorthIt ? std::nullopt : program.ready.copy(setup);
 }
 
 bool isAskedForCopies(int argument_count, char** arguments)

@@ -40,15 +40,22 @@ private:
 	Descriptor socket_; // empty once it is of no use
 };
 
-// Those of all programs that a caller needs. Thread safe.
+// Those of all programs that somebody starts, who may read one file, or many. Thread safe.
 class ReadyReaders
 {
 public:
+	// As ReadyReader::copy(), but a program gets ready only when it is asked for the third time: two are started side
+	// by side in the time in which one gets ready.
 	std::optional<pid_t> copy(const ChildSetup& setup);
 
 private:
+	struct OfProgram
+	{
+		int asked = 0;
+		ReadyReader ready;
+	};
 	std::mutex mutex_;
-	std::map<std::string, ReadyReader> of_programs_;
+	std::map<std::string, OfProgram> of_programs_;
 };
 
 // The other end, for main() of a reader program.

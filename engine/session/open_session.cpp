@@ -3,6 +3,7 @@
 #include "base/progress.h"
 #include "base/stop_scope.h"
 #include "ranks/data/share.h"
+#include "read/ready_reader.h"
 #include "session/met_parts.h"
 #include "view/validate.h"
 
@@ -85,7 +86,8 @@ read::ReadOptions readOptions(const view::ViewSpec& spec, const read::TimeChoice
 	        .patches = namesPatch(spec),
 	        .format = input.format,
 	        .raw = input.raw,
-	        .cell_to_point = input.cell_to_point};
+	        .cell_to_point = input.cell_to_point,
+	        .ready = std::make_shared<read::ReadyReaders>()};
 }
 
 namespace
@@ -124,6 +126,7 @@ read::ReadOptions Session::readOptions(const read::TimeChoice& time) const
 	if (!reads_all_arrays_)
 		reading.arrays = wishedArrays(spec_.probe);
 	reading.stays_above = stays_above_;
+	reading.ready = ready_;
 	return reading;
 }
 
@@ -136,6 +139,7 @@ Result<grid::BlockSet> Session::readInputs(const read::ReadOptions& options)
 Result<grid::BlockSet> Session::readBlocks(const OpenOptions& options)
 {
 	const Progress progress(fmt::format("reading {}", fmt::join(spec_.input.files, ", ")));
+	ready_ = std::make_shared<read::ReadyReaders>();
 	read::ReadOptions reading = readOptions(spec_.input.time);
 	Result<std::vector<std::string>> inputs = read::takeInputs(spec_.input.files, spec_.input.inputs_as, reading);
 	if (!inputs)

@@ -237,6 +237,7 @@ private:
 	bool reads_all_arrays_ = true;               // read all arrays whenever the inputs are read
 	std::optional<std::uint64_t> stays_above_{}; // bytes of an array that may stay in its file
 	std::vector<std::string> follow_;
+	std::shared_ptr<read::ReadyReaders> ready_; // for inputs of many files or times
 	LaunchState launch_;
 	Stamp stamp_;
 	Expect expected_ = Expect::first_of_many; // of the last frame
