@@ -72,6 +72,8 @@ namespace vp::read
 // else it would have stays in the file: "lists" has the offsets of "points", "point_numbers", "ids", "cell_numbers",
 // and of "types" and "ends" where "type" is 0 (docs/FORMATS.md); each of the "arrays" has an "offset" and no "bytes",
 // and "pack" has no "numbers". Other files are read as if PARTS was empty.
+// Started as "vprobe-read copies", it reads nothing and makes copies of itself, which are as if started with the
+// arguments above; see ready_reader.h.
 constexpr int kProtocolVersion = 18;
 constexpr int kArraysFd = 3;
 constexpr int kManifestFd = 4;

@@ -1,5 +1,6 @@
 #include "read/ready_reader.h"
 
+#include "base/sanitized.h"
 #include "read/protocol.h"
 
 #include <algorithm>
@@ -111,13 +112,8 @@ void ReadyReader::start(const ChildSetup& setup)
 {
 	is_started_ = true;
 	parent_ = getpid();
-#if defined(__SANITIZE_THREAD__) // its own thread would be missing in a copy
-	return;
-#elif defined(__has_feature)
-#if __has_feature(thread_sanitizer)
-	return;
-#endif
-#endif
+	if (kThreadSanitized) // its own thread would be missing in a copy
+		return;
 	std::array<int, 2> ends = {-1, -1};
 	if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0)
 		return;

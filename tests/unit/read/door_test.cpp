@@ -1,5 +1,6 @@
 #include "read/child.h"
 #include "read/read.h"
+#include "read/ready_reader.h"
 #include "read/sandbox.h"
 #include "sample_files.h"
 
@@ -12,6 +13,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <set>
 #include <sstream>
 
@@ -31,8 +33,9 @@ namespace
 
 namespace fs = std::filesystem;
 
-// Runs a reader of the test's own (door_tries.cpp), which closes the program's door and tries what no reader needs.
-class Door : public testing::Test
+// Runs a reader of the test's own (door_tries.cpp), which closes the program's door and tries what no reader needs. It
+// is started for that, or is the copy of one that is ready.
+class Door : public testing::TestWithParam<bool>
 {
 protected:
 	Door()
@@ -56,13 +59,21 @@ protected:
 		setSandbox(Sandbox::automatic);
 	}
 
-	std::map<std::string, std::string> tries(Sandbox sandbox, const ReadOptions& options = {})
+	std::map<std::string, std::string> tries(Sandbox sandbox, ReadOptions options = {})
 	{
 		setReaderProgram(VPROBE_DOOR_TRIES);
 		setSandbox(sandbox);
 		InputLimits limits;
 		limits.memory = std::uint64_t(2) << 30;
 		limits.time = std::chrono::seconds(20);
+		const bool by_copy = GetParam();
+		if (by_copy)
+		{
+			ReadOptions plain;
+			plain.ready = options.ready = std::make_shared<ReadyReaders>();
+			for (int i = 0; i < 2; ++i)
+				EXPECT_TRUE(runReader(input_, plain, limits));
+		}
 		const auto handed = runReader(input_, options, limits);
 		std::map<std::string, std::string> results;
 		EXPECT_TRUE(handed) << handed.error().message;
@@ -146,7 +157,10 @@ bool hasLandlock()
 
 } // namespace
 
-TEST_F(Door, RefusesWhatNoReaderNeeds)
+INSTANTIATE_TEST_SUITE_P(Readers, Door, testing::Bool(),
+                         [](const auto& about) { return about.param ? "Copied" : "Started"; });
+
+TEST_P(Door, RefusesWhatNoReaderNeeds)
 {
 	if (!hasLandlock())
 		GTEST_SKIP() << "this system has no Landlock";
@@ -166,7 +180,7 @@ TEST_F(Door, RefusesWhatNoReaderNeeds)
 }
 
 // The same tries work without the door. So the test above sees what it looks for.
-TEST_F(Door, IsWhatRefusesThem)
+TEST_P(Door, IsWhatRefusesThem)
 {
 	// Systems may refuse these by themselves.
 	const std::set<std::string> others{"setxattr", "io_uring",         "namespace", "ptrace",
@@ -178,7 +192,7 @@ TEST_F(Door, IsWhatRefusesThem)
 			std::printf("without the sandbox, the system refuses: %s (%s)\n", name.c_str(), error.c_str());
 }
 
-TEST_F(Door, LeavesOneFolderToWriteIn)
+TEST_P(Door, LeavesOneFolderToWriteIn)
 {
 	if (!hasLandlock())
 		GTEST_SKIP() << "this system has no Landlock";
@@ -191,7 +205,7 @@ TEST_F(Door, LeavesOneFolderToWriteIn)
 		EXPECT_NE(results.at(refused), "0") << refused;
 }
 
-TEST_F(Door, LeavesTheFolderOfAFileThatNamesOthers)
+TEST_P(Door, LeavesTheFolderOfAFileThatNamesOthers)
 {
 	if (!hasLandlock())
 		GTEST_SKIP() << "this system has no Landlock";
@@ -203,7 +217,7 @@ TEST_F(Door, LeavesTheFolderOfAFileThatNamesOthers)
 }
 
 // Behind the door, too, and however its parent ends.
-TEST_F(Door, LeavesNoReaderWithoutItsParent)
+TEST_P(Door, LeavesNoReaderWithoutItsParent)
 {
 	ReadOptions options;
 	options.solution = "wait";

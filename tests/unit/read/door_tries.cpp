@@ -1,6 +1,8 @@
 // A reader for tests. It closes the program's own door, tries what no reader needs, and tells the parent what came of
 // it: a line for each try, with its name and the error's number, 0 if it worked.
 #include "read/protocol.h"
+#include "read/reader_process.h"
+#include "read/ready_reader.h"
 #include "vprobe-read/door/opening.h"
 
 #include <cerrno>
@@ -231,9 +233,7 @@ std::vector<Try> whatReadersNeed(const std::string& input)
 	         }}};
 }
 
-} // namespace
-
-int main(int count, char** arguments)
+int run(int count, char** arguments)
 {
 	if (count != 20)
 		return 1;
@@ -271,4 +271,14 @@ int main(int count, char** arguments)
 		told += std::string(one.name) + ": " + std::to_string(one.run()) + "\n";
 	const bool is_told = write(vp::read::kManifestFd, told.data(), told.size()) == static_cast<ssize_t>(told.size());
 	_exit(is_told ? 0 : 1);
+}
+
+} // namespace
+
+int main(int count, char** arguments)
+{
+	if (!vp::read::isAskedForCopies(count, arguments))
+		return run(count, arguments);
+	std::vector<std::string> own = vp::read::makeCopies();
+	return run(static_cast<int>(own.size()), vp::read::pointersTo(own).data());
 }
