@@ -69,10 +69,11 @@ protected:
 		const bool by_copy = GetParam();
 		if (by_copy)
 		{
-			ReadOptions plain;
-			plain.ready = options.ready = std::make_shared<ReadyReaders>();
+			ReadOptions nothing;
+			nothing.solution = "nothing";
+			nothing.ready = options.ready = std::make_shared<ReadyReaders>();
 			for (int i = 0; i < 2; ++i)
-				EXPECT_TRUE(runReader(input_, plain, limits));
+				EXPECT_TRUE(runReader(input_, nothing, limits));
 		}
 		const auto handed = runReader(input_, options, limits);
 		std::map<std::string, std::string> results;

@@ -243,6 +243,8 @@ int run(int count, char** arguments)
 	request.convert_folder = arguments[11];
 	request.sandbox = arguments[14];
 	request.file = arguments[19];
+	if (request.solution == "nothing")
+		return 0;
 	const fs::path folder = fs::path(request.file).parent_path();
 	const std::string home = folder.parent_path() / "home";
 	becomeOrdinary();
