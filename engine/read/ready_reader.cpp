@@ -29,7 +29,7 @@ namespace
 {
 
 constexpr std::string_view kCopies = "copies"; // the only argument of a program that makes copies
-constexpr std::size_t kMostBytes = 1 << 16;    // of an order; longer ones are for a program of its own
+constexpr std::size_t kMostBytes = 1 << 16;    // the longest order; others are for a program of its own
 constexpr int kPatience = 10000;               // milliseconds to wait for a copy
 constexpr int kWorthIt = 3;
 

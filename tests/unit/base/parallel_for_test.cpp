@@ -1,8 +1,11 @@
-#include "base/parallel_for.h"
+#include "base/parallel_reduce.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
+#include <algorithm>
 #include <atomic>
+#include <functional>
 #include <numeric>
 #include <vector>
 
@@ -72,6 +75,40 @@ TEST(ParallelFor, EndsSoonAfterARequest)
 	EXPECT_EQ(passed, 0u);
 	EXPECT_TRUE(endingOnRequest({}, "counting", each)); // nobody can ask
 	EXPECT_EQ(passed, 1000u);
+}
+
+// Sums of such numbers depend on the order of adding.
+TEST(ParallelReduce, TakesAllAndJoinsInOrderForAnyNumberOfThreads)
+{
+	const auto sumOf = [](std::size_t count, std::size_t grain)
+	{
+		std::vector<std::atomic<int>> seen(count);
+		const auto take = [&](const tbb::blocked_range<std::size_t>& range, double sum)
+		{
+			EXPECT_TRUE(range.size() >= grain || range.end() == count);
+			for (std::size_t i = range.begin(); i < range.end(); ++i)
+			{
+				++seen[i];
+				sum += 1.0 / static_cast<double>(3 * i + 1);
+			}
+			return sum;
+		};
+		const double sum = parallelReduce(count, grain, 0.0, take, std::plus<>());
+		EXPECT_TRUE(std::ranges::all_of(seen, [](const auto& times) { return times == 1; }));
+		return sum;
+	};
+	for (const std::size_t count : {0u, 1u, 63u, 64u, 65u, 100000u})
+		for (const std::size_t grain : {1u, 7u, 4096u})
+		{
+			const double sum = sumOf(count, grain);
+			const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+			EXPECT_EQ(sumOf(count, grain), sum);
+		}
+	EXPECT_EQ(sumOf(2, 1), 1.0 + 0.25);
+	// A flag for each part, which threads set at once.
+	EXPECT_FALSE(parallelReduce(
+	    kCount, 1, true, [](const auto& range, bool so_far) { return so_far && range.begin() == 0; },
+	    std::logical_and<>()));
 }
 
 TEST(ParallelFor, ScopesLieWithinEachOther)
