@@ -316,15 +316,18 @@ Result<PartBlocks> readParts(const std::vector<std::string>& inputs, const std::
 	return read;
 }
 
-Result<std::optional<BlockFields>> readFields(const std::vector<std::string>& inputs, const ReadOptions& options,
-                                              const grid::BlockSet& set, Timeline* timeline)
+namespace
+{
+
+Result<std::optional<BlockFields>> fieldsOf(ReadAhead& ahead, std::size_t inputs, const grid::BlockSet& set,
+                                            Timeline* timeline)
 {
 	const std::optional<BlockFields> none;
 	BlockFields fields;
-	ReadAhead ahead(inputs, options);
-	for (const std::string& input : inputs)
+	const bool cell_to_point = inputs > 0 && ahead.next().options.cell_to_point;
+	for (std::size_t i = 0; i < inputs; ++i)
 	{
-		if (input.starts_with(kDemoPrefix))
+		if (ahead.next().input.starts_with(kDemoPrefix))
 			return none;
 		Result<CheckedInput> read = ahead.read(timeline);
 		if (!read)
@@ -338,15 +341,30 @@ Result<std::optional<BlockFields>> readFields(const std::vector<std::string>& in
 	}
 	if (fields.size() != set.blocks.size())
 		return none;
-	for (std::size_t b = 0; options.cell_to_point && b < fields.size(); ++b)
+	for (std::size_t b = 0; cell_to_point && b < fields.size(); ++b)
 		fields[b] = grid::fieldsAtPoints(set.blocks[b], std::move(fields[b]));
 	return std::optional(std::move(fields));
+}
+
+} // namespace
+
+Result<std::optional<BlockFields>> readFields(const std::vector<std::string>& inputs, const ReadOptions& options,
+                                              const grid::BlockSet& set, Timeline* timeline)
+{
+	ReadAhead ahead(inputs, options);
+	return fieldsOf(ahead, inputs.size(), set, timeline);
 }
 
 Result<bool> readValues(const std::vector<std::string>& inputs, const ReadOptions& options, grid::BlockSet& set,
                         Timeline* timeline)
 {
-	Result<std::optional<BlockFields>> fields = readFields(inputs, options, set, timeline);
+	ReadAhead ahead(inputs, options);
+	return readValues(ahead, inputs.size(), set, timeline);
+}
+
+Result<bool> readValues(ReadAhead& ahead, std::size_t inputs, grid::BlockSet& set, Timeline* timeline)
+{
+	Result<std::optional<BlockFields>> fields = fieldsOf(ahead, inputs, set, timeline);
 	if (!fields)
 		return fields.error();
 	if (!*fields)

@@ -21,6 +21,7 @@ class Timeline;
 namespace vp::read
 {
 
+class ReadAhead;
 class ReadyReaders;
 
 // A choice among the times of an input: the last, the first, the one nearest to a value, or the one with an index from
@@ -61,6 +62,8 @@ struct ArrayWish
 	std::vector<std::string> names{};
 	// And the default array: the first point array of each block, or its first cell array if it has no point arrays.
 	bool first = false;
+
+	bool operator==(const ArrayWish&) const = default;
 };
 
 struct ReadOptions
@@ -109,6 +112,8 @@ struct ReadOptions
 	bool identifies_geometry = true;
 	// Serves whoever reads several files, or a file several times, and hands the same one on each time. May be null.
 	std::shared_ptr<ReadyReaders> ready{};
+
+	bool operator==(const ReadOptions&) const = default;
 };
 
 constexpr int kMaxRefine = 6;
@@ -185,5 +190,7 @@ Result<std::optional<BlockFields>> readFields(const std::vector<std::string>& in
 // the same, takes over the values. Else returns false and leaves the set as it is; then use readInputs().
 Result<bool> readValues(const std::vector<std::string>& inputs, const ReadOptions& options, grid::BlockSet& set,
                         Timeline* timeline);
+// The same for the next of the readings ahead, as many as there are inputs. If it returns false, some of them are left.
+Result<bool> readValues(ReadAhead& ahead, std::size_t inputs, grid::BlockSet& set, Timeline* timeline);
 
 } // namespace vp::read

@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
+
 namespace vp::read
 {
 
@@ -21,7 +23,8 @@ std::string fileOf(const std::string& input, const ReadOptions& options)
 	return series ? series->files[timeIndex(series->times, options.time)] : slices.empty() ? input : slices.front();
 }
 
-ReadAhead::ReadAhead(std::vector<InputToRead> inputs) : inputs_(std::move(inputs))
+ReadAhead::ReadAhead(std::vector<InputToRead> inputs, std::size_t most_at_once)
+    : inputs_(std::move(inputs)), most_at_once_(most_at_once)
 {
 	const auto ready = std::make_shared<ReadyReaders>();
 	for (InputToRead& input : inputs_)
@@ -65,7 +68,8 @@ Result<ReadAhead::AtWork> ReadAhead::start(const InputToRead& given)
 
 void ReadAhead::startSome()
 {
-	const std::size_t at_once = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+	const std::size_t at_once =
+	    std::min(most_at_once_, tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
 	while (started_.size() < at_once && next_ + started_.size() < inputs_.size())
 	{
 		const InputToRead& input = inputs_[next_ + started_.size()];

@@ -30,16 +30,18 @@ struct InputToRead
 	ReadOptions options;
 };
 
-// Reads inputs one after the other. While one is waited for or built, the readers of those behind it are at work, as
-// many as there are cores.
+// Reads inputs one after the other. While one is waited for or built, the readers of those behind it are at work: as
+// many at once as there are cores, or as the caller allows.
 class ReadAhead
 {
 public:
 	// Starts nothing yet.
-	explicit ReadAhead(std::vector<InputToRead> inputs);
+	explicit ReadAhead(std::vector<InputToRead> inputs, std::size_t most_at_once = ~std::size_t(0));
 	ReadAhead(const std::vector<std::string>& inputs, const ReadOptions& options);
 
-	// The input that comes next, and its number. There is one.
+	// Starts the readers of the first inputs.
+	void start() { startSome(); }
+	// The input that comes next. There is one.
 	const InputToRead& next() const { return inputs_[next_]; }
 	// Waits for the next input and checks what was read. Call skip() for one that no child reads.
 	Result<CheckedInput> read(Timeline* timeline);
@@ -57,6 +59,7 @@ private:
 	void startSome();
 
 	std::vector<InputToRead> inputs_;
+	std::size_t most_at_once_ = ~std::size_t(0);
 	std::size_t next_ = 0;
 	std::deque<std::optional<Result<AtWork>>> started_; // from the next one on; nothing for one that no child reads
 };

@@ -13,6 +13,7 @@
 #include "render/renderer.h"
 #include "session/categories.h"
 #include "session/open_device.h"
+#include "session/step_ahead.h"
 #include "vectors/path_lines.h"
 #include "view/resolve.h"
 
@@ -238,6 +239,7 @@ private:
 	std::optional<std::uint64_t> stays_above_{}; // bytes of an array that may stay in its file
 	std::vector<std::string> follow_;
 	std::shared_ptr<read::ReadyReaders> ready_; // for inputs of many files or times
+	StepAhead step_ahead_;
 	LaunchState launch_;
 	Stamp stamp_;
 	Expect expected_ = Expect::first_of_many; // of the last frame

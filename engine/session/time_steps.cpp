@@ -41,10 +41,17 @@ Status Session::goTo(const read::TimeChoice& time)
 try
 {
 	const read::ReadOptions at = readOptions(time);
-	const Result<bool> same_grid =
-	    ranks_.keepsParts() ? read::readValues(inputs_, at, blocks_, timeline_.get()) : false;
+	Result<bool> same_grid = false;
+	if (ranks_.keepsParts())
+	{
+		read::ReadAhead readers = step_ahead_.take(inputs_, at);
+		same_grid = read::readValues(readers, inputs_.size(), blocks_, timeline_.get());
+	}
 	if (!same_grid)
 		return same_grid.error();
+	const auto next = step_ahead_.nextAfter(read::timeIndex(blocks_.times, time), blocks_.times.size());
+	if (*same_grid && next && hasRoomForATime(blocks_))
+		step_ahead_.expect(inputs_, readOptions(choiceOfStep(blocks_.times, *next)));
 	if (*same_grid)
 	{
 		lookForCategories();

@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace vp::session
 {
@@ -27,6 +29,14 @@ Result<TimesSeen> lookAtTimes(const Session& session, std::span<const std::size_
 		if (!seen.of(field))
 			seen.arrays.push_back({field});
 	bool differ = false; // the bounds, from those of the session
+	std::vector<read::InputToRead> readings;
+	for (const std::size_t step : steps)
+		for (const std::string& input : session.inputs())
+			readings.push_back({input, session.readOptions(choiceOfStep(session.blocks().times, step))});
+	const std::size_t inputs = session.inputs().size();
+	// Nothing once a grid differs, since some of what was read is left then.
+	std::optional<read::ReadAhead> ahead(std::in_place, std::move(readings),
+	                                     inputs + (hasRoomForATime(session.blocks()) ? 1 : 0));
 	Progress progress("looking at times");
 	for (std::size_t i = 0; i < steps.size(); ++i)
 	{
@@ -35,11 +45,12 @@ Result<TimesSeen> lookAtTimes(const Session& session, std::span<const std::size_
 		grid::BlockSet blocks = session.blocks();
 		ranks::Ranks ranks = session.ranks();
 		const Result<bool> same_grid =
-		    ranks.keepsParts() ? read::readValues(session.inputs(), at, blocks, session.timeline()) : false;
+		    ahead && ranks.keepsParts() ? read::readValues(*ahead, inputs, blocks, session.timeline()) : false;
 		if (!same_grid)
 			return same_grid.error();
 		if (!*same_grid)
 		{
+			ahead.reset();
 			Result<grid::BlockSet> read = ranks::readInputs(ranks, session.inputs(), at, session.timeline());
 			if (!read)
 				return read.error();

@@ -1,0 +1,68 @@
+#include "session/step_ahead.h"
+
+#include "read/input_limits.h"
+
+#include <system_error>
+#include <utility>
+
+namespace vp::session
+{
+
+namespace
+{
+
+constexpr std::chrono::seconds kLongestAhead{60};
+
+} // namespace
+
+bool hasRoomForATime(const grid::BlockSet& blocks)
+{
+	std::uint64_t bytes = 0;
+	for (const grid::Block& block : blocks.blocks)
+		for (const grid::Field& field : block.fields)
+			bytes += field.bytes.size();
+	return bytes < read::limitsWithoutFile().memory / 8;
+}
+
+std::vector<StepAhead::FileState> StepAhead::statesOf(const std::vector<std::string>& inputs,
+                                                      const read::ReadOptions& options)
+{
+	std::vector<FileState> states;
+	for (const std::string& input : inputs)
+	{
+		const std::filesystem::path file = read::fileOf(input, options);
+		std::error_code unknown; // the reader tells what is wrong
+		const auto changed = std::filesystem::last_write_time(file, unknown);
+		states.emplace_back(changed, std::filesystem::file_size(file, unknown));
+	}
+	return states;
+}
+
+read::ReadAhead StepAhead::take(const std::vector<std::string>& inputs, const read::ReadOptions& options)
+{
+	std::optional<read::ReadAhead> ahead = std::exchange(ahead_, std::nullopt);
+	if (ahead && ahead->next().options == options && std::chrono::steady_clock::now() - since_ < kLongestAhead &&
+	    statesOf(inputs, options) == before_)
+		return std::move(*ahead);
+	return read::ReadAhead(inputs, options);
+}
+
+std::optional<std::size_t> StepAhead::nextAfter(std::size_t step, std::size_t count)
+{
+	const std::optional<std::size_t> last = std::exchange(last_, step);
+	if (last && *last + 1 == step && step + 1 < count)
+		return step + 1;
+	if (last && *last == step + 1 && step > 0)
+		return step - 1;
+	return {};
+}
+
+void StepAhead::expect(const std::vector<std::string>& inputs, const read::ReadOptions& options)
+{
+	before_ = statesOf(inputs, options);
+	ahead_.emplace(inputs, options);
+	ahead_->start();
+	since_ = std::chrono::steady_clock::now();
+}
+
+} // namespace vp::session
