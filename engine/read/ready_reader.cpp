@@ -52,13 +52,16 @@ struct Message
 	alignas(cmsghdr) std::array<char, CMSG_SPACE(kDescriptors.size() * sizeof(int))> descriptors;
 };
 
-bool send(int socket, const ChildSetup& setup)
+std::string textOf(char* const* arguments)
 {
 	std::string text;
-	for (char* const* argument = setup.arguments; *argument; ++argument)
-		text.append(*argument, std::strlen(*argument) + 1);
-	if (text.size() > kMostBytes)
-		return false;
+	for (; *arguments; ++arguments)
+		text.append(*arguments, std::strlen(*arguments) + 1);
+	return text;
+}
+
+bool send(int socket, const ChildSetup& setup, std::string& text)
+{
 	Order order = {setup.parent, setup.memory, setup.file_size, setup.time, setup.files};
 	std::array<iovec, 2> parts = {iovec{&order, sizeof(order)}, iovec{text.data(), text.size()}};
 	alignas(cmsghdr) decltype(Message::descriptors) descriptors = {};
@@ -134,9 +137,10 @@ std::optional<pid_t> ReadyReader::copy(const ChildSetup& setup)
 {
 	if (!is_started_)
 		start(setup);
-	if (!socket_ || getpid() != parent_ || !send(socket_.get(), setup))
+	std::string text = textOf(setup.arguments);
+	if (!socket_ || getpid() != parent_ || text.size() > kMostBytes)
 		return {};
-	const pid_t pid = answerOf(socket_.get());
+	const pid_t pid = send(socket_.get(), setup, text) ? answerOf(socket_.get()) : 0;
 	if (pid > 0 && isOwnChild(pid))
 		return pid;
 	end();

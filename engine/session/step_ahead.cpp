@@ -2,6 +2,8 @@
 
 #include "read/input_limits.h"
 
+#include <tbb/global_control.h>
+
 #include <system_error>
 #include <utility>
 
@@ -15,13 +17,14 @@ constexpr std::chrono::seconds kLongestAhead{60};
 
 } // namespace
 
-bool hasRoomForATime(const grid::BlockSet& blocks)
+bool mayReadAhead(const grid::BlockSet& blocks)
 {
 	std::uint64_t bytes = 0;
 	for (const grid::Block& block : blocks.blocks)
 		for (const grid::Field& field : block.fields)
 			bytes += field.bytes.size();
-	return bytes < read::limitsWithoutFile().memory / 8;
+	return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) > 1 &&
+	       bytes < read::limitsWithoutFile().memory / 8;
 }
 
 std::vector<StepAhead::FileState> StepAhead::statesOf(const std::vector<std::string>& inputs,

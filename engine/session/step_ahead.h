@@ -15,9 +15,9 @@
 namespace vp::session
 {
 
-/// Whether one more time has room beside those of the blocks: its arrays take an eighth of the machine's memory at
-/// most.
-bool hasRoomForATime(const grid::BlockSet& blocks);
+/// Whether another time may be read while this one is looked at: there are several threads, and its arrays take less
+/// than an eighth of the machine's memory.
+bool mayReadAhead(const grid::BlockSet& blocks);
 
 /// Where times are taken one after the other, the next one is read while this one is looked at.
 class StepAhead
@@ -38,9 +38,9 @@ private:
 	static std::vector<FileState> statesOf(const std::vector<std::string>& inputs, const read::ReadOptions& options);
 
 	std::optional<std::size_t> last_;
-	std::optional<read::ReadAhead> ahead_; // of the next step
+	std::optional<read::ReadAhead> ahead_;
 	std::chrono::steady_clock::time_point since_{};
-	std::vector<FileState> before_; // of the files, when their readers were started
+	std::vector<FileState> before_; // the readers of the files were started
 };
 
 } // namespace vp::session

@@ -50,7 +50,7 @@ try
 	if (!same_grid)
 		return same_grid.error();
 	const auto next = step_ahead_.nextAfter(read::timeIndex(blocks_.times, time), blocks_.times.size());
-	if (*same_grid && next && hasRoomForATime(blocks_))
+	if (*same_grid && next && mayReadAhead(blocks_))
 		step_ahead_.expect(inputs_, readOptions(choiceOfStep(blocks_.times, *next)));
 	if (*same_grid)
 	{

@@ -36,7 +36,7 @@ Result<TimesSeen> lookAtTimes(const Session& session, std::span<const std::size_
 	const std::size_t inputs = session.inputs().size();
 	// Nothing once a grid differs, since some of what was read is left then.
 	std::optional<read::ReadAhead> ahead(std::in_place, std::move(readings),
-	                                     inputs + (hasRoomForATime(session.blocks()) ? 1 : 0));
+	                                     inputs + (mayReadAhead(session.blocks()) ? 1 : 0));
 	Progress progress("looking at times");
 	for (std::size_t i = 0; i < steps.size(); ++i)
 	{

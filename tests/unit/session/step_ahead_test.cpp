@@ -102,7 +102,7 @@ TEST_F(Steps, HaveTheValuesOfTheirFilesWhenTheyAreAskedFor)
 	const auto session = opened();
 	valueAt(*session, 0);
 	EXPECT_EQ(valueAt(*session, 1), 10.0);
-	write(2, 77.0); // of which a reader may have begun
+	write(2, 77.0); // a reader may have begun with it
 	EXPECT_EQ(valueAt(*session, 2), 77.0);
 	fs::remove(file(3));
 	const Status moved = session->goTo(read::timeAt(3));
