@@ -41,12 +41,20 @@ std::vector<StepAhead::FileState> StepAhead::statesOf(const std::vector<std::str
 	return states;
 }
 
-read::ReadAhead StepAhead::take(const std::vector<std::string>& inputs, const read::ReadOptions& options)
+read::ReadAhead StepAhead::take(const std::vector<std::string>& inputs, const read::ReadOptions& options,
+                                const std::vector<double>& times)
 {
 	std::optional<read::ReadAhead> ahead = std::exchange(ahead_, std::nullopt);
-	if (ahead && ahead->next().options == options && std::chrono::steady_clock::now() - since_ < kLongestAhead &&
-	    statesOf(inputs, options) == before_)
-		return std::move(*ahead);
+	if (ahead)
+	{
+		const read::TimeChoice& time = options.time;
+		const bool is_a_step = time.kind != read::TimeChoice::Kind::index || time.index < times.size();
+		read::ReadOptions of_step = options; // a time may be asked for by its number, or by a value that is near
+		of_step.time = ahead->next().options.time;
+		if (is_a_step && read::timeIndex(times, time) == step_ && of_step == ahead->next().options &&
+		    std::chrono::steady_clock::now() - since_ < kLongestAhead && statesOf(inputs, of_step) == before_)
+			return std::move(*ahead);
+	}
 	return read::ReadAhead(inputs, options);
 }
 
@@ -60,8 +68,9 @@ std::optional<std::size_t> StepAhead::nextAfter(std::size_t step, std::size_t co
 	return {};
 }
 
-void StepAhead::expect(const std::vector<std::string>& inputs, const read::ReadOptions& options)
+void StepAhead::expect(const std::vector<std::string>& inputs, const read::ReadOptions& options, std::size_t step)
 {
+	step_ = step;
 	before_ = statesOf(inputs, options);
 	ahead_.emplace(inputs, options);
 	ahead_->start();

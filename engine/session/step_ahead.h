@@ -24,13 +24,14 @@ class StepAhead
 {
 public:
 	/// Returns the readers of the inputs with these options: those that are at work if they were expected, less than a
-	/// minute ago, and no input has changed since. Else new ones, which have not started.
-	read::ReadAhead take(const std::vector<std::string>& inputs, const read::ReadOptions& options);
+	/// minute ago, and no input has changed since. Else new ones, which have not started. times: of the inputs.
+	read::ReadAhead take(const std::vector<std::string>& inputs, const read::ReadOptions& options,
+	                     const std::vector<double>& times);
 	/// Call it after a step of so many was read. Returns the one that comes next, if this one follows the one before,
 	/// or goes before it.
 	std::optional<std::size_t> nextAfter(std::size_t step, std::size_t count);
-	/// Starts readers.
-	void expect(const std::vector<std::string>& inputs, const read::ReadOptions& options);
+	/// Starts readers of a step with these options.
+	void expect(const std::vector<std::string>& inputs, const read::ReadOptions& options, std::size_t step);
 
 private:
 	// When a file was changed, and its size.
@@ -39,6 +40,7 @@ private:
 
 	std::optional<std::size_t> last_;
 	std::optional<read::ReadAhead> ahead_;
+	std::size_t step_ = 0; // which they read
 	std::chrono::steady_clock::time_point since_{};
 	std::vector<FileState> before_; // the readers of the files were started
 };

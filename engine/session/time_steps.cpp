@@ -44,14 +44,14 @@ try
 	Result<bool> same_grid = false;
 	if (ranks_.keepsParts())
 	{
-		read::ReadAhead readers = step_ahead_.take(inputs_, at);
+		read::ReadAhead readers = step_ahead_.take(inputs_, at, blocks_.times);
 		same_grid = read::readValues(readers, inputs_.size(), blocks_, timeline_.get());
 	}
 	if (!same_grid)
 		return same_grid.error();
 	const auto next = step_ahead_.nextAfter(read::timeIndex(blocks_.times, time), blocks_.times.size());
 	if (*same_grid && next && mayReadAhead(blocks_))
-		step_ahead_.expect(inputs_, readOptions(choiceOfStep(blocks_.times, *next)));
+		step_ahead_.expect(inputs_, readOptions(choiceOfStep(blocks_.times, *next)), *next);
 	if (*same_grid)
 	{
 		lookForCategories();

@@ -113,6 +113,35 @@ TEST_F(Steps, HaveTheValuesOfTheirFilesWhenTheyAreAskedFor)
 	EXPECT_EQ(valueAt(*session, 3), 5.0);
 }
 
+// Each step is read once, however it is asked for.
+TEST_F(Steps, AreTakenFromWhatWasReadAhead)
+{
+	const auto session = opened();
+	session::StepAhead ahead;
+	const std::vector<double>& times = session->blocks().times;
+	const auto isTaken = [&](const read::TimeChoice& time, const read::TimeChoice& expected = read::timeAt(2))
+	{
+		ahead.expect(session->inputs(), session->readOptions(expected), 2);
+		return ahead.take(session->inputs(), session->readOptions(time), times).next().options.time == expected &&
+		       !(time == expected);
+	};
+	using Kind = read::TimeChoice::Kind;
+	EXPECT_TRUE(isTaken({Kind::value, 2.0}));
+	EXPECT_TRUE(isTaken({Kind::value, 2.2}));
+	EXPECT_TRUE(isTaken(read::timeAt(2), {Kind::value, 2.0}));
+	EXPECT_FALSE(isTaken({Kind::value, 2.6}));
+	EXPECT_FALSE(isTaken(read::timeAt(3)));
+	EXPECT_FALSE(isTaken({Kind::first}));
+	EXPECT_FALSE(isTaken({Kind::last}));
+
+	const Status beyond = session->goTo(read::timeAt(7));
+	ASSERT_FALSE(beyond);
+	EXPECT_NE(beyond.error().message.find("#7"), std::string::npos) << beyond.error().message;
+	for (const std::size_t step : {2u, 3u})
+		valueAt(*session, step);
+	EXPECT_FALSE(session->goTo(read::timeAt(7))); // while the last one is expected
+}
+
 TEST_F(Steps, OfAGridThatMovesAreReadAnew)
 {
 	write(3, 30.0, 4);
