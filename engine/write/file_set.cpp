@@ -161,13 +161,17 @@ Status FileSet::moveMembers(bool needs_new_folder)
 		const std::string target = folder_ + "/" + to;
 		std::error_code unknown;
 		const bool fresh = !fs::exists(fs::symlink_status(target, unknown));
+		if (fresh)
+			moved_.push_back(target); // before: there may be no memory to note what has moved
 		if (!failed)
 			fs::rename(folder() + "/" + from, target, failed);
 		if (failed)
+		{
+			if (fresh)
+				moved_.pop_back();
 			return Error{ErrorKind::output,
 			             fmt::format("{}: cannot be written: {}; choose another name", target, failed.message())};
-		if (fresh)
-			moved_.push_back(target);
+		}
 	}
 	return Nothing{};
 }
