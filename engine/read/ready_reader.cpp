@@ -147,7 +147,7 @@ std::optional<pid_t> ReadyReader::copy(const ChildSetup& setup)
 	return {};
 }
 
-// It ends by itself when its socket closes, if it does.
+// A reader ends by itself when its socket closes. Any other program may not.
 void ReadyReader::end()
 {
 	socket_.reset();
