@@ -2,6 +2,8 @@
 
 #include <atomic>
 #include <new>
+#include <string>
+#include <utility>
 
 namespace vp
 {

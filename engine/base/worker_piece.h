@@ -2,7 +2,7 @@
 
 #include "base/timeline.h"
 
-#include <utility>
+#include <string_view>
 
 namespace vp
 {
@@ -46,30 +46,5 @@ private:
 	Timeline* timeline_ = nullptr;
 	double start_ = 0.0;
 };
-
-// The body of a parallel loop in place of `body`, which must outlive the loop.
-template <class Body>
-class TracedBody
-{
-public:
-	explicit TracedBody(const Body& body) : body_(&body) {}
-
-	template <class... Part>
-	void operator()(Part&&... part) const
-	{
-		const WorkerPiece piece(loop_);
-		(*body_)(std::forward<Part>(part)...);
-	}
-
-private:
-	const Body* body_;
-	TracedLoop loop_;
-};
-
-template <class Body>
-TracedBody<Body> traced(const Body& body)
-{
-	return TracedBody<Body>(body);
-}
 
 } // namespace vp

@@ -42,7 +42,7 @@ private:
 	std::optional<read::ReadAhead> ahead_;
 	std::size_t step_ = 0; // which they read
 	std::chrono::steady_clock::time_point since_{};
-	std::vector<FileState> before_; // the readers of the files were started
+	std::vector<FileState> before_; // the files, when their readers were started
 };
 
 } // namespace vp::session
