@@ -106,6 +106,8 @@ Request parseRequest(int count, char** arguments)
 		request.time = Request::Time::index;
 		request.time_index = std::strtoull(time.c_str() + 1, nullptr, 10);
 	}
+	else if (time == "all")
+		request.packs_all_times = true;
 	else if (time != "last")
 	{
 		request.time = Request::Time::nearest;
@@ -134,6 +136,23 @@ Request parseRequest(int count, char** arguments)
 	request.slices.assign(arguments + kArgumentCount, arguments + count);
 	request.arguments = arguments;
 	return request;
+}
+
+convert::TimesToPack timesToPack(const Request& request, manifest::Writer& manifest)
+{
+	if (!request.packs_all_times || manifest.times().size() < 2)
+		return {};
+	if (manifest.displacement().isOn())
+		throw Refusal(fmt::format("has {} times, and its points move with them; choose one time with --time",
+		                          manifest.times().size()));
+	const auto read = [&request, &manifest](std::size_t time)
+	{
+		Request at = request;
+		at.time = Request::Time::index;
+		at.time_index = time;
+		return manifest.collect([&] { formats::readAnyFormat(at, manifest); });
+	};
+	return {manifest.times(), manifest.times().size() - 1, read};
 }
 
 // Ends the process if the parent is gone.
@@ -194,7 +213,7 @@ int run(int argc, char** argv)
 			manifest.warn(std::move(refused));
 		const std::string text = manifest.finish();
 		if (!request.convert_to.empty())
-			convert::writeConverted(manifest.kept(), request);
+			convert::writeConverted(manifest.kept(), timesToPack(request, manifest), request);
 		sendToParent(text);
 	}
 	catch (const Refusal& refusal)

@@ -90,6 +90,12 @@ bool lacksParts(const BlockSet& blocks)
 	return std::ranges::any_of(blocks.blocks, [](const Block& block) { return block.runs != nullptr; });
 }
 
+bool hasTimeInRuns(const BlockSet& blocks, std::size_t time)
+{
+	const auto hasIt = [&](const Block& block) { return block.runs && block.runs->times() == blocks.times.size(); };
+	return time < blocks.times.size() && std::ranges::all_of(blocks.blocks, hasIt);
+}
+
 void readAllParts(BlockSet& blocks)
 {
 	for (Block& block : blocks.blocks)

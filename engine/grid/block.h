@@ -124,6 +124,9 @@ struct BlockSet
 // Returns the number that the user knows a cell by: that in the file, or in the file that was packed.
 std::int64_t cellNumber(const Block& block, CellId cell);
 
+/// Returns true if all cells are left in files (Block::runs) that have the values at a time of the set, by its index.
+bool hasTimeInRuns(const BlockSet& blocks, std::size_t time);
+
 /// Returns true if cells are left in the file (Block::runs). Whoever needs others than he has fetched calls
 /// readAllParts().
 bool lacksParts(const BlockSet& blocks);

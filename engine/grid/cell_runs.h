@@ -5,13 +5,17 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace vp::grid
 {
 
+struct ArrayFacts;
 struct Block;
+struct Field;
 
 /// The cells of a listed grid that stays in its file. They are in runs: cells that follow each other, and lie together
 /// in space. A run is read when somebody needs it. A cell has the same id whichever runs were read, and so has a point;
@@ -44,6 +48,14 @@ public:
 		return met;
 	}
 	std::vector<std::uint32_t> all() const;
+
+	/// Returns how many times its file has, at least one. Its cells are the same at all of them.
+	virtual std::size_t times() const = 0;
+	/// Gives its block the values at a time, of which nothing was read. Copies of the block keep theirs. next: the time
+	/// that will probably follow. When the values of this one are there, the system is asked to read ahead.
+	virtual void goTo(std::size_t time, std::optional<std::size_t> next, Block& block) = 0;
+	/// Returns what the file says of an array's values at a time; null if the file does not have the array.
+	virtual std::shared_ptr<const ArrayFacts> factsAt(std::size_t time, const Field& field) const = 0;
 
 	/// Reads those of some runs (ascending) that are not in memory, on all cores. Throws parts::Unreadable, and
 	/// parts::Stopped. One thread at a time may call it. Meanwhile others may look at what was read before.

@@ -165,7 +165,7 @@ std::vector<std::string> argumentsFor(const std::string& file, const ReadOptions
 {
 	std::vector<std::string> arguments = {
 	    "vprobe-read",
-	    timeText(options.time),
+	    options.all_times ? "all" : timeText(options.time),
 	    options.solution,
 	    fmt::format("{}", options.refine),
 	    displaceArgument(options),

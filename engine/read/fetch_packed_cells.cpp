@@ -82,39 +82,71 @@ void PackedCells::fetch(std::span<const std::uint32_t> runs)
 {
 	for (const std::uint32_t run : runs)
 		met_[run] = true;
-	const std::vector<std::uint32_t> wanted = missing(runs);
-	if (wanted.empty())
-		return;
-	const std::vector<std::uint32_t> parts = missingParts(wanted);
-	const std::vector<Piece> pieces = piecesOf(wanted);
-	announce(parts, pieces);
+	const Missing cells = missing(runs, has_cells_), values = missing(runs, has_values_);
+	if (!values.runs.empty())
+	{
+		Extents extents;
+		addCells(cells, extents);
+		addValues(values, contents_.time, extents);
+		announce(std::move(extents));
+		readCells(cells);
+		readValues(values);
+		read_ += values.runs.size();
+	}
+	announceNextTime();
+}
+
+namespace
+{
+
+template <class Items, class Act>
+void forEachInParallel(const Items& items, const Act& act)
+{
 	const std::stop_token stop = parts::Stoppable::current();
-	const auto inParallel = [&](std::size_t count, const auto& act)
-	{
-		tracedFor(std::size_t(0), count,
-		          [&](std::size_t i)
-		          {
-			          if (stop.stop_requested())
-				          throw parts::Stopped();
-			          act(i);
-		          });
-	};
-	inParallel(parts.size(), [&](std::size_t i) { readPart(parts[i]); });
-	inParallel(pieces.size(), [&](std::size_t i) { readPiece(pieces[i]); });
-	for (const std::uint32_t part : parts)
-		notePoints(part);
+	tracedFor(std::size_t(0), items.size(),
+	          [&](std::size_t i)
+	          {
+		          if (stop.stop_requested())
+			          throw parts::Stopped();
+		          act(items[i]);
+	          });
+}
+
+} // namespace
+
+void PackedCells::readCells(const Missing& missing)
+{
+	forEachInParallel(missing.parts, [this](std::uint32_t part) { readPoints(part); });
+	forEachInParallel(missing.pieces, [this](const Piece& piece) { readPiece(piece); });
+	for (const std::uint32_t part : missing.parts)
+		notePoints(part, has_point_);
+	note(missing, rows_of_cells_, has_cells_);
+}
+
+void PackedCells::readValues(const Missing& missing)
+{
+	if (rows_of_values_.point > 0)
+		forEachInParallel(missing.parts, [this](std::uint32_t part) { readPointValues(part); });
+	if (rows_of_values_.cell > 0)
+		forEachInParallel(missing.pieces, [this](const Piece& piece) { readCellValues(piece); });
+	for (const std::uint32_t part : missing.parts)
+		notePoints(part, has_values_of_);
+	note(missing, rows_of_values_, has_values_);
+}
+
+void PackedCells::note(const Missing& read, const RowBytes& rows, Kept& kept)
+{
 	std::uint64_t bytes = 0;
-	for (const std::uint32_t part : parts)
+	for (const std::uint32_t part : read.parts)
 	{
-		has_part_[part] = true;
-		bytes += bytesOfPart(part);
+		kept.parts[part] = true;
+		bytes += bytesOfPart(part, rows);
 	}
-	for (const std::uint32_t run : wanted)
+	for (const std::uint32_t run : read.runs)
 	{
-		has_run_[run] = true;
-		bytes += bytesOfRun(run);
+		kept.runs[run] = true;
+		bytes += bytesOfRun(run, rows);
 	}
-	read_ += wanted.size();
 	bytes_read_ += bytes;
 	bytesRead().fetch_add(bytes, std::memory_order_relaxed);
 }
@@ -137,30 +169,43 @@ std::vector<PackedCells::Piece> PackedCells::piecesOf(std::span<const std::uint3
 	return pieces;
 }
 
-// Asks the system for what will be read.
-void PackedCells::announce(std::span<const std::uint32_t> parts, std::span<const Piece> pieces) const
+namespace
 {
-	std::vector<std::pair<std::uint64_t, std::uint64_t>> extents;
-	const auto add = [&](const List& list, std::uint64_t first, std::uint64_t count)
-	{ extents.emplace_back(list.offset + first * list.row_bytes, list.offset + (first + count) * list.row_bytes); };
-	const auto addArrays = [&](Association association, std::uint64_t first, std::uint64_t count)
-	{
-		for (const auto& [field, list] : contents_.arrays)
-			if (field.association == association)
-				add(list, first, count);
-	};
-	for (const std::uint32_t number : parts)
+
+void addRows(const PackedCells::List& list, std::uint64_t first, std::uint64_t count,
+             std::vector<std::pair<std::uint64_t, std::uint64_t>>& to)
+{
+	to.emplace_back(list.offset + first * list.row_bytes, list.offset + (first + count) * list.row_bytes);
+}
+
+} // namespace
+
+void PackedCells::addCells(const Missing& missing, Extents& to) const
+{
+	for (const std::uint32_t number : missing.parts)
 	{
 		const Part& part = parts_[number];
-		add(contents_.places, part.first_point, part.points);
-		add(contents_.point_numbers, part.first_point, part.points);
-		addArrays(Association::point, part.first_point, part.points);
+		addRows(contents_.places, part.first_point, part.points, to);
+		addRows(contents_.point_numbers, part.first_point, part.points, to);
 	}
-	for (const Piece& piece : pieces)
-	{
-		add(contents_.ids, piece.first_id, piece.ids);
-		addArrays(Association::cell, piece.first_cell, piece.cells);
-	}
+	for (const Piece& piece : missing.pieces)
+		addRows(contents_.ids, piece.first_id, piece.ids, to);
+}
+
+void PackedCells::addValues(const Missing& missing, std::size_t time, Extents& to) const
+{
+	for (const ArrayLists& array : contents_.arrays)
+		if (array.field.association == Association::point)
+			for (const std::uint32_t part : missing.parts)
+				addRows(array.at(time), parts_[part].first_point, parts_[part].points, to);
+		else
+			for (const Piece& piece : missing.pieces)
+				addRows(array.at(time), piece.first_cell, piece.cells, to);
+}
+
+// Asks the system for what will be read.
+void PackedCells::announce(Extents extents) const
+{
 	std::ranges::sort(extents);
 	for (std::size_t i = 0, next; i < extents.size(); i = next)
 	{
@@ -170,6 +215,21 @@ void PackedCells::announce(std::span<const std::uint32_t> parts, std::span<const
 		posix_fadvise(contents_.file->descriptor(), static_cast<off_t>(begin), static_cast<off_t>(end - begin),
 		              POSIX_FADV_WILLNEED);
 	}
+}
+
+// The next time is mostly cut where this one was.
+void PackedCells::announceNextTime()
+{
+	if (!next_time_)
+		return;
+	std::vector<std::uint32_t> met;
+	for (std::uint32_t run = 0; run < met_.size(); ++run)
+		if (met_[run])
+			met.push_back(run);
+	Extents extents;
+	addValues(missing(met, nothing()), *next_time_, extents);
+	announce(std::move(extents));
+	next_time_.reset();
 }
 
 void PackedCells::readRows(const List& list, std::uint64_t first, std::uint64_t count, void* to) const
@@ -192,7 +252,7 @@ void PackedCells::readRows(const List& list, std::uint64_t first, std::uint64_t 
 	}
 }
 
-void PackedCells::readPart(std::uint32_t number) const
+void PackedCells::readPoints(std::uint32_t number) const
 {
 	const Part& part = parts_[number];
 	readRows(contents_.point_numbers, part.first_point, part.points,
@@ -201,34 +261,46 @@ void PackedCells::readPart(std::uint32_t number) const
 	for (std::size_t p = 0; p < points.size(); ++p)
 		if (points[p] >= contents_.all_points || (p > 0 && points[p] <= points[p - 1]))
 			throw damaged(*contents_.file, "the points of a part are out of order");
-	const auto isThere = [bits = is_there_->as<std::uint64_t>()](std::uint32_t point)
-	{ return (bits[point / 64] >> point % 64 & 1) != 0; };
-	const auto take = [&](const List& list, std::size_t number_bytes, const Memory& memory)
-	{
-		std::vector<std::byte>& rows = scratchOf(part.points * list.row_bytes);
-		readRows(list, part.first_point, part.points, rows.data());
-		scatter(number_bytes, rows, points, memory->data(), isThere);
-	};
-	take(contents_.places, contents_.places.row_bytes / 3, places_);
-	for (std::size_t a = 0; a < arrays_.size(); ++a)
-		if (const auto& [field, list] = contents_.arrays[a]; field.association == Association::point)
-			take(list, grid::byteSize(field.type), arrays_[a]);
+	takePoints(contents_.places, contents_.places.row_bytes / 3, number, has_point_, places_);
 }
 
-void PackedCells::notePoints(std::uint32_t part) const
+void PackedCells::readPointValues(std::uint32_t part) const
 {
-	auto* bits = is_there_->as<std::uint64_t>();
+	for (std::size_t a = 0; a < arrays_.size(); ++a)
+		if (const ArrayLists& array = contents_.arrays[a]; array.field.association == Association::point)
+			takePoints(array.at(contents_.time), grid::byteSize(array.field.type), part, has_values_of_, arrays_[a]);
+}
+
+// there: the bits of points that earlier fetches have read.
+void PackedCells::takePoints(const List& list, std::size_t number_bytes, std::uint32_t part, const Memory& there,
+                             const Memory& to) const
+{
+	const auto isThere = [bits = there->as<std::uint64_t>()](std::uint32_t point)
+	{ return (bits[point / 64] >> point % 64 & 1) != 0; };
+	std::vector<std::byte>& rows = scratchOf(parts_[part].points * list.row_bytes);
+	readRows(list, parts_[part].first_point, parts_[part].points, rows.data());
+	scatter(number_bytes, rows, pointsOf(part), to->data(), isThere);
+}
+
+void PackedCells::notePoints(std::uint32_t part, const Memory& there) const
+{
+	auto* bits = there->as<std::uint64_t>();
 	for (const std::uint32_t point : pointsOf(part))
 		bits[point / 64] |= std::uint64_t(1) << point % 64;
+}
+
+void PackedCells::readCellValues(const Piece& piece) const
+{
+	for (std::size_t a = 0; a < arrays_.size(); ++a)
+		if (const ArrayLists& array = contents_.arrays[a]; array.field.association == Association::cell)
+			readRows(array.at(contents_.time), piece.first_cell, piece.cells,
+			         arrays_[a]->data() + piece.first_cell * array.row_bytes);
 }
 
 void PackedCells::readPiece(const Piece& piece) const
 {
 	readRows(contents_.ids, piece.first_id, piece.ids, id_memory_->as<std::int32_t>() + piece.first_id);
 	takeTypes(piece);
-	for (std::size_t a = 0; a < arrays_.size(); ++a)
-		if (const auto& [field, list] = contents_.arrays[a]; field.association == Association::cell)
-			readRows(list, piece.first_cell, piece.cells, arrays_[a]->data() + piece.first_cell * list.row_bytes);
 	for (std::uint32_t run = piece.first_run; run < piece.first_run + piece.runs; ++run)
 		takeIds(run);
 	if (contents_.type != kTetra)

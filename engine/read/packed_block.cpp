@@ -62,16 +62,17 @@ PackedCells::List listOf(const json& offset, std::size_t row_bytes)
 	return {countOf(offset), row_bytes};
 }
 
-PackedCells::ArrayList arrayOf(const json& array)
+PackedCells::ArrayLists arrayOf(const json& array)
 {
 	grid::Field field;
 	field.name = wordsOf(array.at("name"));
 	field.association = associationOf(array.at("association"));
 	field.components = componentsOf(array.at("components"), field.name);
 	field.type = numberTypeOf(array.at("type").get<std::string>());
-	field.facts = factsOf(array.at("facts"), field.components);
-	const std::size_t bytes = grid::byteSize(field.type) * static_cast<std::size_t>(field.components);
-	return {std::move(field), listOf(array.at("offset"), bytes)};
+	PackedCells::ArrayLists lists{field, grid::byteSize(field.type) * static_cast<std::size_t>(field.components)};
+	for (const json& time : array.at("times"))
+		lists.times.push_back({countOf(time.at("offset")), factsOf(time.at("facts"), field.components)});
+	return lists;
 }
 
 } // namespace
@@ -127,6 +128,7 @@ void takePackedBlock(const json& block, const SharedBytes& arrays, const Readabl
 		contents.types = listOf(lists.at("types"), 1);
 		contents.ends = listOf(lists.at("ends"), sizeof(std::int32_t));
 	}
+	contents.time = countOf(block.at("time"));
 	for (const json& array : block.at("arrays"))
 		if (array.contains("left_out"))
 			checked.arrays_left_out.push_back(leftOutName(array));

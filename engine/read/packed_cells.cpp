@@ -42,11 +42,12 @@ Array<T> viewOf(const std::shared_ptr<SparseMemory>& memory, std::size_t count)
 } // namespace
 
 PackedCells::PackedCells(Contents contents)
-    : CellRuns(std::exchange(contents.runs, {})), contents_(std::move(contents)), has_run_(runs().size()),
-      has_part_(contents_.points.size()), met_(runs().size())
+    : CellRuns(std::exchange(contents.runs, {})), contents_(std::move(contents)), has_cells_(nothing()),
+      has_values_(nothing()), met_(runs().size())
 {
 	check();
 	takeMemory();
+	takeMemoryOfValues();
 }
 
 void PackedCells::check()
@@ -99,12 +100,16 @@ void PackedCells::check()
 		fit(contents_.types, rows);
 		fit(contents_.ends, rows + parts);
 	}
-	point_row_bytes_ = contents_.places.row_bytes + contents_.point_numbers.row_bytes;
-	cell_row_bytes_ = isAlike() ? 0 : contents_.types.row_bytes + contents_.ends.row_bytes;
-	for (const auto& [field, list] : contents_.arrays)
+	rows_of_cells_ = {contents_.places.row_bytes + contents_.point_numbers.row_bytes,
+	                  isAlike() ? 0 : contents_.types.row_bytes + contents_.ends.row_bytes, contents_.ids.row_bytes};
+	for (const ArrayLists& array : contents_.arrays)
 	{
-		fit(list, field.association == Association::point ? points : rows);
-		(field.association == Association::point ? point_row_bytes_ : cell_row_bytes_) += list.row_bytes;
+		if (array.times.size() != times() || contents_.time >= times())
+			throw Unusable("an array has not values at each time");
+		const bool is_of_points = array.field.association == Association::point;
+		for (std::size_t time = 0; time < times(); ++time)
+			fit(array.at(time), is_of_points ? points : rows);
+		(is_of_points ? rows_of_values_.point : rows_of_values_.cell) += array.row_bytes;
 	}
 }
 
@@ -112,14 +117,43 @@ void PackedCells::takeMemory()
 {
 	const std::uint64_t points = contents_.all_points;
 	places_ = memoryFor(points + 1, contents_.places.row_bytes); // one more, so that a point may be read with the next
-	is_there_ = memoryFor(points / 64 + 1, sizeof(std::uint64_t));
+	has_point_ = memoryFor(points / 64 + 1, sizeof(std::uint64_t));
 	point_numbers_ = memoryFor(parts_.back().first_point + parts_.back().points, sizeof(std::uint32_t));
 	id_memory_ = memoryFor(ids_, sizeof(std::int32_t));
 	types_ = memoryFor(cells_, 1);
 	ends_ = memoryFor(isAlike() ? 0 : cells_ + 1, sizeof(std::int64_t));
-	for (const auto& [field, list] : contents_.arrays)
-		arrays_.push_back(memoryFor(field.association == Association::point ? points : cells_, list.row_bytes));
 	types_->data()[0] = std::byte{contents_.type}; // the first tells of all, where they are alike
+}
+
+void PackedCells::takeMemoryOfValues()
+{
+	has_values_of_ = memoryFor(contents_.all_points / 64 + 1, sizeof(std::uint64_t));
+	arrays_.clear();
+	for (const ArrayLists& array : contents_.arrays)
+		arrays_.push_back(
+		    memoryFor(array.field.association == Association::point ? contents_.all_points : cells_, array.row_bytes));
+}
+
+std::size_t PackedCells::times() const
+{
+	return contents_.arrays.empty() ? 1 : contents_.arrays[0].times.size();
+}
+
+void PackedCells::goTo(std::size_t time, std::optional<std::size_t> next, grid::Block& block)
+{
+	contents_.time = time;
+	next_time_ = next;
+	has_values_ = nothing();
+	takeMemoryOfValues();
+	grid::replaceFields(block, fields());
+}
+
+std::shared_ptr<const grid::ArrayFacts> PackedCells::factsAt(std::size_t time, const grid::Field& field) const
+{
+	const auto found = std::ranges::find_if(
+	    contents_.arrays, [&field](const ArrayLists& array)
+	    { return array.field.name == field.name && array.field.association == field.association; });
+	return found == contents_.arrays.end() ? nullptr : found->times[time].facts;
 }
 
 grid::Points PackedCells::points() const
@@ -158,6 +192,7 @@ std::vector<grid::Field> PackedCells::fields() const
 	for (std::size_t a = 0; a < arrays_.size(); ++a)
 	{
 		fields.push_back(contents_.arrays[a].field);
+		fields.back().facts = contents_.arrays[a].times[contents_.time].facts;
 		fields.back().bytes = viewOf<std::byte>(arrays_[a], arrays_[a]->size());
 		fields.back().is_in_runs = true;
 	}
@@ -169,53 +204,52 @@ std::span<const std::uint32_t> PackedCells::pointsOf(std::uint32_t part) const
 	return {point_numbers_->as<std::uint32_t>() + parts_[part].first_point, parts_[part].points};
 }
 
-std::vector<std::uint32_t> PackedCells::missing(std::span<const std::uint32_t> runs) const
+PackedCells::Missing PackedCells::missing(std::span<const std::uint32_t> runs, const Kept& kept) const
 {
-	std::vector<std::uint32_t> missing;
-	std::ranges::copy_if(runs, std::back_inserter(missing), [this](std::uint32_t run) { return !has_run_[run]; });
-	return missing;
-}
-
-std::vector<std::uint32_t> PackedCells::missingParts(std::span<const std::uint32_t> runs) const
-{
-	std::vector<std::uint32_t> missing;
+	Missing missing;
 	for (const std::uint32_t run : runs)
+	{
+		if (kept.runs[run])
+			continue;
+		missing.runs.push_back(run);
 		if (const std::uint32_t part = this->runs()[run].part;
-		    !has_part_[part] && (missing.empty() || missing.back() != part))
-			missing.push_back(part);
+		    !kept.parts[part] && (missing.parts.empty() || missing.parts.back() != part))
+			missing.parts.push_back(part);
+	}
+	missing.pieces = piecesOf(missing.runs);
 	return missing;
 }
 
-std::uint64_t PackedCells::bytesOfPart(std::uint32_t part) const
+std::uint64_t PackedCells::bytesOfPart(std::uint32_t part, const RowBytes& rows) const
 {
-	return parts_[part].points * point_row_bytes_;
+	return parts_[part].points * rows.point;
 }
 
-std::uint64_t PackedCells::bytesOfRun(std::uint32_t run) const
+std::uint64_t PackedCells::bytesOfRun(std::uint32_t run, const RowBytes& rows) const
 {
-	return contents_.run_ids[run] * contents_.ids.row_bytes + runs()[run].cells * cell_row_bytes_;
+	return contents_.run_ids[run] * rows.id + runs()[run].cells * rows.cell;
 }
 
-std::uint64_t PackedCells::bytesOf(const std::vector<bool>& has) const
+std::uint64_t PackedCells::bytesOf(const std::vector<bool>& has, const RowBytes& rows) const
 {
 	std::uint64_t bytes = 0;
 	std::uint32_t last_part = std::numeric_limits<std::uint32_t>::max();
 	for (std::uint32_t run = 0; run < has.size(); ++run)
 		if (has[run])
 		{
-			bytes += bytesOfRun(run);
+			bytes += bytesOfRun(run, rows);
 			if (std::exchange(last_part, runs()[run].part) != runs()[run].part)
-				bytes += bytesOfPart(runs()[run].part);
+				bytes += bytesOfPart(runs()[run].part, rows);
 		}
 	return bytes;
 }
 
 std::uint64_t PackedCells::bytesAfter(std::span<const std::uint32_t> runs) const
 {
-	std::vector<bool> has = has_run_;
+	std::vector<bool> cells = has_cells_.runs, values = has_values_.runs;
 	for (const std::uint32_t run : runs)
-		has[run] = true;
-	return bytesOf(has);
+		cells[run] = values[run] = true;
+	return bytesOf(cells, rows_of_cells_) + bytesOf(values, rows_of_values_);
 }
 
 void PackedCells::renew(grid::Block& block) const
@@ -234,10 +268,10 @@ void PackedCells::renew(grid::Block& block) const
 parts::PartUse PackedCells::use() const
 {
 	return {.all = runs().size(),
-	        .kept = static_cast<std::uint64_t>(std::ranges::count(has_run_, true)),
+	        .kept = static_cast<std::uint64_t>(std::ranges::count(has_cells_.runs, true)),
 	        .met = static_cast<std::uint64_t>(std::ranges::count(met_, true)),
 	        .read = read_,
-	        .bytes_met = bytesOf(met_),
+	        .bytes_met = bytesOf(met_, rows_of_cells_) + bytesOf(met_, rows_of_values_),
 	        .bytes_read = bytes_read_};
 }
 

@@ -11,7 +11,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace vp::read
@@ -28,10 +30,19 @@ public:
 		std::uint64_t offset = 0;
 		std::size_t row_bytes = 0;
 	};
-	struct ArrayList
+	// The values of all points or cells at a time.
+	struct ValueList
 	{
-		grid::Field field; // without bytes
-		List list;
+		std::uint64_t offset = 0;
+		std::shared_ptr<const grid::ArrayFacts> facts{};
+	};
+	struct ArrayLists
+	{
+		grid::Field field; // without bytes and facts
+		std::size_t row_bytes = 0;
+		std::vector<ValueList> times{};
+
+		List at(std::size_t time) const { return {times[time].offset, row_bytes}; }
 	};
 	// The file in its own words. Nothing of it is checked.
 	struct Contents
@@ -49,7 +60,8 @@ public:
 		std::uint64_t cell_numbers = 0;         // offset; uint32: in the file that was packed
 		List types{};                           // uint8; only if cells have several types
 		List ends{};                            // int32, likewise: a part has one more than cells
-		std::vector<ArrayList> arrays{};
+		std::vector<ArrayLists> arrays{};       // all with as many times
+		std::size_t time = 0;                   // whose values are wanted
 	};
 
 	// Throws Unusable if the lists cannot be, or do not lie in the file.
@@ -62,6 +74,9 @@ public:
 	grid::Field cellNumbers() const;
 	std::vector<grid::Field> fields() const;
 
+	std::size_t times() const override;
+	void goTo(std::size_t time, std::optional<std::size_t> next, grid::Block& block) override;
+	std::shared_ptr<const grid::ArrayFacts> factsAt(std::size_t time, const grid::Field& field) const override;
 	void fetch(std::span<const std::uint32_t> runs) override;
 	std::uint64_t bytesAfter(std::span<const std::uint32_t> runs) const override;
 	void renew(grid::Block& block) const override;
@@ -87,35 +102,67 @@ private:
 		std::uint64_t first_id = 0;
 		std::uint64_t ids = 0;
 	};
+	// What is in memory.
+	struct Kept
+	{
+		std::vector<bool> runs, parts;
+	};
+	// What is not.
+	struct Missing
+	{
+		std::vector<std::uint32_t> runs{}, parts{};
+		std::vector<Piece> pieces{};
+	};
+	// Bytes in the file for each point, cell and id.
+	struct RowBytes
+	{
+		std::size_t point = 0;
+		std::size_t cell = 0;
+		std::size_t id = 0;
+	};
 	using Memory = std::shared_ptr<SparseMemory>;
+	using Extents = std::vector<std::pair<std::uint64_t, std::uint64_t>>;
 
 	bool isAlike() const { return contents_.type != 0; }
 	void check();
 	void takeMemory();
-	std::vector<std::uint32_t> missing(std::span<const std::uint32_t> runs) const;
-	std::vector<std::uint32_t> missingParts(std::span<const std::uint32_t> runs) const;
+	void takeMemoryOfValues();
+	Kept nothing() const { return {std::vector<bool>(runs().size()), std::vector<bool>(contents_.points.size())}; }
+	Missing missing(std::span<const std::uint32_t> runs, const Kept& kept) const;
 	std::vector<Piece> piecesOf(std::span<const std::uint32_t> runs) const;
-	void announce(std::span<const std::uint32_t> parts, std::span<const Piece> pieces) const;
+	void addCells(const Missing& missing, Extents& to) const;
+	void addValues(const Missing& missing, std::size_t time, Extents& to) const;
+	void announce(Extents extents) const;
+	void announceNextTime();
 	void readRows(const List& list, std::uint64_t first, std::uint64_t count, void* to) const;
-	void readPart(std::uint32_t part) const;
-	void notePoints(std::uint32_t part) const;
+	void readCells(const Missing& missing);
+	void readValues(const Missing& missing);
+	void readPoints(std::uint32_t part) const;
+	void readPointValues(std::uint32_t part) const;
+	void takePoints(const List& list, std::size_t number_bytes, std::uint32_t part, const Memory& there,
+	                const Memory& to) const;
+	void notePoints(std::uint32_t part, const Memory& there) const;
 	void readPiece(const Piece& piece) const;
+	void readCellValues(const Piece& piece) const;
 	void takeTypes(const Piece& piece) const;
 	void takeIds(std::uint32_t run) const;
-	std::uint64_t bytesOfPart(std::uint32_t part) const;
-	std::uint64_t bytesOfRun(std::uint32_t run) const;
-	std::uint64_t bytesOf(const std::vector<bool>& has) const;
+	std::uint64_t bytesOfPart(std::uint32_t part, const RowBytes& rows) const;
+	std::uint64_t bytesOfRun(std::uint32_t run, const RowBytes& rows) const;
+	std::uint64_t bytesOf(const std::vector<bool>& runs, const RowBytes& rows) const;
+	void note(const Missing& read, const RowBytes& rows, Kept& kept);
 
 	Contents contents_;
 	std::vector<Part> parts_;
 	std::vector<std::uint64_t> first_ids_; // for each run
 	std::uint64_t cells_ = 0, ids_ = 0;    // in all runs
-	std::size_t point_row_bytes_ = 0, cell_row_bytes_ = 0;
+	RowBytes rows_of_cells_, rows_of_values_;
+	std::optional<std::size_t> next_time_; // that is asked for when the values of this one were read
 
 	Memory places_, point_numbers_, id_memory_, types_, ends_;
 	std::vector<Memory> arrays_;
-	Memory is_there_; // a bit for each point: it was read by an earlier fetch
-	std::vector<bool> has_run_, has_part_, met_;
+	Memory has_point_, has_values_of_; // a bit for each point: it was read by an earlier fetch, and so were its values
+	Kept has_cells_, has_values_;      // values of nothing without cells
+	std::vector<bool> met_;
 	std::uint64_t read_ = 0, bytes_read_ = 0;
 };
 

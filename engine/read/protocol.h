@@ -10,7 +10,7 @@ namespace vp::read
 // The protocol between vprobe-read and its parent. The child is started as
 //   vprobe-read TIME SOLUTION REFINE DISPLACE PATCHES THREADS ARRAYS FORMAT RAW TARGET FOLDER PACK PARTS SANDBOX
 //   FOLLOW STAYS UNPACK LEVEL FILE [SLICE...]
-// TIME: last, first, a number, or # and an index. SOLUTION: empty or a PLOT3D q file. REFINE: how many times the linear
+// TIME: last, first, a number, # and an index, or all where a pack is written. SOLUTION: empty or a PLOT3D q file. REFINE: how many times the linear
 // parts of curved cells are halved, or a tolerance, which leaves these cells curved. DISPLACE: a factor
 // for displacements, and behind a blank the name of their array if it is given; empty for none. PATCHES: 1 to read
 // named parts of the boundary, else 0. THREADS: the maximum number of threads. ARRAYS: the wanted arrays, one a line:
@@ -70,11 +70,12 @@ namespace vp::read
 // has "file", "type" of all cells or 0, "type_of_points", "runs": {"boxes": array of float64, lo and hi of each, and as
 // arrays of uint64 "cells", "ids", "parts"}, and for each part as arrays of uint64 "part_cells" and "part_points". What
 // else it would have stays in the file: "lists" has the offsets of "points", "point_numbers", "ids", "cell_numbers",
-// and of "types" and "ends" where "type" is 0 (docs/FORMATS.md); each of the "arrays" has an "offset" and no "bytes",
-// and "pack" has no "numbers". Other files are read as if PARTS was empty.
+// and of "types" and "ends" where "type" is 0 (docs/FORMATS.md); each of the "arrays" has "times" and no "bytes": for
+// each time of the file an "offset" and "facts"; "time" is the index of the one that was asked for; and "pack" has no
+// "numbers". Other files are read as if PARTS was empty.
 // Started as "vprobe-read copies", it reads nothing and makes copies of itself, which are as if started with the
 // arguments above; see ready_reader.h.
-constexpr int kProtocolVersion = 18;
+constexpr int kProtocolVersion = 19;
 constexpr int kArraysFd = 3;
 constexpr int kManifestFd = 4;
 constexpr int kCellsFd = 5;

@@ -87,6 +87,7 @@ struct ReadOptions
 	ArrayWish arrays{};
 	std::string format{};              // a name in formats(); if empty, the file's contents and name tell
 	std::size_t cells_of_part = 0;     // only for convert(): writes a pack with parts of at most so many cells; 0: none
+	bool all_times = false;            // only for a pack: writes the values at all times, not only at one
 	std::vector<std::string> slices{}; // files that are slices of one volume, whose first one is read; mostly empty
 	RawLayout raw{};                   // layout of files that hold nothing but values; they need one
 	// The parts of a file to read, as their numbers in PartList with commas between; empty: all. "?" reads none and

@@ -41,16 +41,21 @@ Status Session::goTo(const read::TimeChoice& time)
 try
 {
 	const read::ReadOptions at = readOptions(time);
-	Result<bool> same_grid = false;
-	if (ranks_.keepsParts())
+	const std::size_t step = read::timeIndex(blocks_.times, time);
+	Result<bool> same_grid = grid::hasTimeInRuns(blocks_, step);
+	const bool is_in_runs = *same_grid;
+	if (!is_in_runs && ranks_.keepsParts())
 	{
 		read::ReadAhead readers = step_ahead_.take(inputs_, at, blocks_.times);
 		same_grid = read::readValues(readers, inputs_.size(), blocks_, timeline_.get());
 	}
 	if (!same_grid)
 		return same_grid.error();
-	const auto next = step_ahead_.nextAfter(read::timeIndex(blocks_.times, time), blocks_.times.size());
-	if (*same_grid && next && mayReadAhead(blocks_))
+	const auto next = step_ahead_.nextAfter(step, blocks_.times.size());
+	if (is_in_runs) // frames read the values of what they meet
+		for (grid::Block& block : blocks_.blocks)
+			block.runs->goTo(step, next, block);
+	else if (*same_grid && next && mayReadAhead(blocks_))
 		step_ahead_.expect(inputs_, readOptions(choiceOfStep(blocks_.times, *next)), *next);
 	if (*same_grid)
 	{

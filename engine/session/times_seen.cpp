@@ -21,6 +21,19 @@ const TimesSeen::Array* TimesSeen::of(const grid::FieldChoice& field) const
 	return found != arrays.end() ? &*found : nullptr;
 }
 
+namespace
+{
+
+// The file of a pack says the ranges at all times.
+void takeFactsAt(std::size_t step, grid::BlockSet& blocks)
+{
+	for (grid::Block& block : blocks.blocks)
+		for (grid::Field& field : block.fields)
+			field.facts = block.runs->factsAt(step, field);
+}
+
+} // namespace
+
 Result<TimesSeen> lookAtTimes(const Session& session, std::span<const std::size_t> steps,
                               std::span<const grid::FieldChoice> fields)
 {
@@ -44,8 +57,12 @@ Result<TimesSeen> lookAtTimes(const Session& session, std::span<const std::size_
 		const read::ReadOptions at = session.readOptions(choiceOfStep(session.blocks().times, steps[i]));
 		grid::BlockSet blocks = session.blocks();
 		ranks::Ranks ranks = session.ranks();
-		const Result<bool> same_grid =
-		    ahead && ranks.keepsParts() ? read::readValues(*ahead, inputs, blocks, session.timeline()) : false;
+		Result<bool> same_grid = grid::hasTimeInRuns(blocks, steps[i]);
+		const bool is_in_runs = *same_grid;
+		if (is_in_runs)
+			takeFactsAt(steps[i], blocks);
+		else if (ahead && ranks.keepsParts())
+			same_grid = read::readValues(*ahead, inputs, blocks, session.timeline());
 		if (!same_grid)
 			return same_grid.error();
 		if (!*same_grid)
@@ -65,6 +82,8 @@ Result<TimesSeen> lookAtTimes(const Session& session, std::span<const std::size_
 		for (TimesSeen::Array& array : seen.arrays)
 		{
 			array.span.include(spanOf(blocks, ranks, array.field));
+			if (is_in_runs) // logarithms are taken of what was read as a whole
+				continue;
 			const double least = leastPositive(blocks, ranks, array.field);
 			if (least > 0.0 && !(array.least_positive > 0.0 && array.least_positive < least))
 				array.least_positive = least;

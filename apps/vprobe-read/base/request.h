@@ -28,6 +28,7 @@ struct Request
 	} time = Time::last;
 	double time_value = 0.0;
 	std::size_t time_index = 0;
+	bool packs_all_times = false;  // the last time stands for all
 	std::string displace;          // "FACTOR" or "FACTOR NAME": how far points move, and by which array; mostly empty
 	bool patches = false;          // whether the parts of the boundary that the file names are wanted
 	double refine = 0.0;           // how often the linear parts of curved cells are halved, or a tolerance

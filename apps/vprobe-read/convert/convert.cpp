@@ -124,7 +124,7 @@ void writeBlocks(const std::vector<KeptBlock>& blocks, const Request& request)
 
 } // namespace
 
-void writeConverted(const std::vector<KeptBlock>& blocks, const Request& request)
+void writeConverted(const std::vector<KeptBlock>& blocks, const TimesToPack& times, const Request& request)
 {
 	const std::string ending = fs::path(request.convert_to).extension().string();
 	if (ending == ".vtm")
@@ -137,10 +137,13 @@ void writeConverted(const std::vector<KeptBlock>& blocks, const Request& request
 	vtkDataSet* data = blocks[0].data;
 	const std::string file = (fs::path(request.convert_folder) / fs::path(request.convert_to).filename()).string();
 	if (request.cells_of_part > 0 && endingOf(data) == ".vtu")
-		return writePack(data, file, request.cells_of_part, request.threads);
+		return writePack(data, times, file, request.cells_of_part, request.threads);
 	if (request.cells_of_part > 0 && endingOf(data) != ".vti")
 		throw Refusal(
 		    "is neither image data nor unstructured, and nothing else is packed yet; convert it to .vtu first");
+	if (times.times.size() > 1)
+		throw Refusal(
+		    fmt::format("has {} times, and of images one is packed; choose it with --time", times.times.size()));
 	if (ending == ".vtkhdf")
 		return writeVtkHdf(data, file, request.threads);
 	if (ending == ".vtu" && endingOf(data) != ending)

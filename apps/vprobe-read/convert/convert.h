@@ -3,6 +3,7 @@
 #include <vtkSmartPointer.h>
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,15 +24,26 @@ struct KeptBlock
 	vtkSmartPointer<vtkDataSet> data;
 };
 
+// The times of a file, of which all are packed.
+struct TimesToPack
+{
+	std::vector<double> times{}; // ascending; empty: what was kept is all there is
+	std::size_t kept = 0;        // the one at which the block was kept
+	// Reads the data sets of another one.
+	std::function<std::vector<vtkSmartPointer<vtkDataSet>>(std::size_t time)> read{};
+};
+
 // Writes blocks in the VTK format that the ending of request.convert_to asks for. Throws a Refusal if that format has
 // no such grids.
-void writeConverted(const std::vector<KeptBlock>& blocks, const Request& request);
+void writeConverted(const std::vector<KeptBlock>& blocks, const TimesToPack& times, const Request& request);
 
 // Writes one block as VTKHDF, images in bricks. Their arrays may stay in the files that they come from (storedArray()).
 // threads: the most to use. Only vprobe-read-more has this.
 void writeVtkHdf(vtkDataSet* data, const std::string& file, int threads);
 
-// Writes an unstructured grid in parts of at most so many cells. Only vprobe-read-more has this.
-void writePack(vtkDataSet* data, const std::string& file, std::size_t cells_of_part, int threads);
+// Writes an unstructured grid in parts of at most so many cells, with its values at all times. Throws a Refusal if its
+// cells or points are others at another time. Only vprobe-read-more has this.
+void writePack(vtkDataSet* data, const TimesToPack& times, const std::string& file, std::size_t cells_of_part,
+               int threads);
 
 } // namespace vp::reader::convert

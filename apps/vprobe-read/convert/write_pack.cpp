@@ -1,10 +1,11 @@
-// An unstructured grid in parts that lie together in space: VTKHDF 1.0 in partitions, which VTK reads, and beside it a
-// group `vprobe` that other programs pass over. docs/FORMATS.md describes the group.
+// An unstructured grid in parts that lie together in space: VTKHDF 1.0 in partitions, or 2.0 with several times, which
+// VTK reads, and beside it a group `vprobe` that other programs pass over. docs/FORMATS.md describes the group.
 #include "convert.h"
 #include "grid/farthest_points.h"
-#include "grid/labels.h"
 #include "hdf5_output.h"
 #include "pack_division.h"
+#include "pack_facts.h"
+#include "pack_times.h"
 #include "vprobe-read/arrays/value_image.h"
 #include "vprobe-read/base/refusal.h"
 
@@ -46,7 +47,7 @@ void put(const void* from, std::size_t bytes, Bytes& to)
 // A list of the file: a row for each point, cell, or corner of a cell.
 struct Column
 {
-	RowWriter rows;
+	RowWriter* rows;
 	std::size_t row_bytes;
 	// Appends the rows of a part.
 	std::function<void(std::size_t part, Bytes& to)> gather;
@@ -55,18 +56,19 @@ struct Column
 class PackWriter
 {
 public:
-	PackWriter(vtkUnstructuredGrid* grid, std::size_t most_cells, int threads)
-	    : grid_(grid), places_(grid->GetPoints()->GetData()), division_(grid, most_cells, threads)
+	PackWriter(vtkUnstructuredGrid* grid, const TimesToPack& times, std::size_t most_cells, int threads)
+	    : grid_(grid), places_(grid->GetPoints()->GetData()), times_(grid, times), division_(grid, most_cells, threads)
 	{
 	}
 
 	void write(hid_t file)
 	{
 		const Handle root = groupInOrder(file, "VTKHDF");
-		writeAttribute(root, "Version", H5T_NATIVE_INT64, std::array<std::int64_t, 2>{1, 0});
+		const std::array<std::int64_t, 2> version = {times_.areSeveral() ? 2 : 1, 0}; // the same in both groups
+		writeAttribute(root, "Version", H5T_NATIVE_INT64, version);
 		writeType(root, "UnstructuredGrid");
 		const Handle own = groupInOrder(file, "vprobe");
-		writeAttribute(own, "Version", H5T_NATIVE_INT64, std::array<std::int64_t, 2>{1, 0});
+		writeAttribute(own, "Version", H5T_NATIVE_INT64, version);
 		const auto count = [](vtkIdType number) { return std::array<std::int64_t, 1>{number}; };
 		writeAttribute(own, "NumberOfPoints", H5T_NATIVE_INT64, count(grid_->GetNumberOfPoints()));
 		writeAttribute(own, "NumberOfCells", H5T_NATIVE_INT64, count(grid_->GetNumberOfCells()));
@@ -83,9 +85,13 @@ public:
 		writeRuns(own);
 		writeFarthestPoints(own);
 		addCells(root, own);
-		addArrays(root, own, "PointData", grid_->GetPointData(), true);
-		addArrays(root, own, "CellData", grid_->GetCellData(), false);
-		writeColumns();
+		addArrays(root, "PointData", grid_->GetPointData(), true);
+		addArrays(root, "CellData", grid_->GetCellData(), false);
+		if (times_.areSeveral())
+			writeSteps(root);
+		writeColumns(columns_);
+		writeArrays();
+		writeFacts(own);
 	}
 
 private:
@@ -154,7 +160,8 @@ private:
 		std::size_t bytes = H5Tget_size(type);
 		for (std::size_t side = 1; side < sides.size(); ++side)
 			bytes *= sides[side];
-		columns_.push_back({RowWriter(group, name, type, std::move(sides)), bytes, std::move(gather)});
+		lists_.emplace_back(group, name, type, std::move(sides));
+		columns_.push_back({&lists_.back(), bytes, std::move(gather)});
 	}
 
 	void addCells(hid_t root, hid_t own)
@@ -228,10 +235,9 @@ private:
 		    });
 	}
 
-	void addArrays(hid_t root, hid_t own, const char* name, vtkDataSetAttributes* fields, bool on_points)
+	void addArrays(hid_t root, const char* name, vtkDataSetAttributes* fields, bool on_points)
 	{
 		const Handle values = groupInOrder(root, name);
-		const Handle facts = groupInOrder(own, name);
 		for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
 		{
 			vtkDataArray* array = fields->GetArray(i);
@@ -240,81 +246,121 @@ private:
 				continue;
 			const std::string plain = nameInGroup(values, array->GetName());
 			const auto components = static_cast<hsize_t>(array->GetNumberOfComponents());
-			const std::size_t bytes = components * grid::byteSize(*type);
-			const auto* from = static_cast<const std::byte*>(array->GetVoidPointer(0));
-			std::vector<hsize_t> sides = {on_points ? division_.allPoints() : division_.types().size()};
+			const hsize_t rows = on_points ? division_.allPoints() : division_.types().size();
+			std::vector<hsize_t> sides = {rows * times_.count()};
 			if (components > 1)
 				sides.push_back(components);
-			add(values, plain.c_str(), typeOf(array->GetDataType()), std::move(sides),
-			    [this, from, bytes, on_points](std::size_t part, Bytes& to)
-			    {
-				    const std::span<const std::uint32_t> rows =
-				        on_points ? division_.points(part) : division_.cells(part);
-				    for (const std::uint32_t row : rows)
-					    put(from + row * bytes, bytes, to);
-			    });
-			writeFacts(facts, plain, *type, *array);
+			arrays_.push_back({.values = array,
+			                   .on_points = on_points,
+			                   .name = plain,
+			                   .rows = RowWriter(values, plain.c_str(), typeOf(array->GetDataType()), std::move(sides)),
+			                   .rows_of_time = rows,
+			                   .facts = PackFacts(static_cast<int>(components), *type)});
 		}
 	}
 
-	// The group of an array has "Spans": for each component, and last for the length of the tuple, the least and the
-	// greatest value, and whether there are infinite ones, below and above. For one component of integers also its
-	// different "Values", and how often they change.
-	static void writeFacts(hid_t group, const std::string& name, grid::NumberType type, vtkDataArray& array)
+	void writeArrays()
 	{
-		grid::Field field;
-		field.components = array.GetNumberOfComponents();
-		field.type = type;
-		field.bytes = {nullptr, static_cast<const std::byte*>(array.GetVoidPointer(0)),
-		               static_cast<std::size_t>(array.GetNumberOfValues()) * grid::byteSize(type)};
-		const Handle facts(H5Gcreate2(group, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
-		std::vector<double> rows;
-		for (int component = 0; component <= field.components; ++component)
+		for (std::size_t time = 0; time < times_.count(); ++time)
 		{
-			const auto span = grid::valueSpan(field, component == field.components ? grid::kMagnitude : component);
-			rows.insert(rows.end(),
-			            {span.lo, span.hi, span.minus_infinity ? 1.0 : 0.0, span.plus_infinity ? 1.0 : 0.0});
+			const vtkSmartPointer<vtkUnstructuredGrid> grid = times_.gridAt(time);
+			std::deque<Column> columns;
+			for (PackedArray& array : arrays_)
+			{
+				vtkDataArray* values = times_.valuesAt(time, grid, array.values, array.on_points);
+				array.facts.include(*values);
+				const auto* from = static_cast<const std::byte*>(values->GetVoidPointer(0));
+				const std::size_t bytes = static_cast<std::size_t>(values->GetNumberOfComponents()) *
+				                          static_cast<std::size_t>(values->GetDataTypeSize());
+				columns.push_back({&array.rows, bytes,
+				                   [this, from, bytes, on_points = array.on_points](std::size_t part, Bytes& to)
+				                   {
+					                   const std::span<const std::uint32_t> rows =
+					                       on_points ? division_.points(part) : division_.cells(part);
+					                   for (const std::uint32_t row : rows)
+						                   put(from + row * bytes, bytes, to);
+				                   }});
+			}
+			writeColumns(columns);
 		}
-		writeValues(facts, "Spans", H5T_NATIVE_DOUBLE, {rows.size() / 4, 4}, rows.data());
-		if (field.components > 1 || type >= grid::NumberType::float32)
-			return;
-		const grid::Distinct found = grid::distinctValues(field, grid::kMaxCategories);
-		const grid::Changes changes = grid::changesOf(field, found.all());
-		writeValues(facts, "Values", H5T_NATIVE_DOUBLE, {found.count}, found.values.data());
-		writeAttribute(facts, "Changes", H5T_NATIVE_UINT64, std::array<std::uint64_t, 2>{changes.all, changes.to_next});
 	}
 
-	void writeColumns()
+	void writeFacts(hid_t own) const
+	{
+		const Handle of_points = groupInOrder(own, "PointData");
+		const Handle of_cells = groupInOrder(own, "CellData");
+		for (const PackedArray& array : arrays_)
+			array.facts.write(array.on_points ? of_points : of_cells, array.name, times_.areSeveral());
+	}
+
+	// Says where the values of each time are. All times have the same points and cells.
+	void writeSteps(hid_t root) const
+	{
+		const std::size_t count = times_.count();
+		const Handle steps = groupInOrder(root, "Steps");
+		writeAttribute(steps, "NSteps", H5T_NATIVE_INT64, std::array{static_cast<std::int64_t>(count)});
+		writeValues(steps, "Values", H5T_NATIVE_DOUBLE, {count}, times_.times().data());
+		const auto writeList = [count](hid_t group, const char* name, hsize_t first, hsize_t step)
+		{
+			std::vector<std::int64_t> list;
+			for (hsize_t time = 0; time < count; ++time)
+				list.push_back(static_cast<std::int64_t>(first + time * step));
+			writeValues(group, name, H5T_NATIVE_INT64, {count}, list.data());
+		};
+		writeList(steps, "NumberOfParts", division_.parts(), 0);
+		for (const char* same : {"PartOffsets", "PointOffsets", "CellOffsets", "ConnectivityIdOffsets"})
+			writeList(steps, same, 0, 0);
+		const Handle of_points = groupInOrder(steps, "PointDataOffsets");
+		const Handle of_cells = groupInOrder(steps, "CellDataOffsets");
+		for (const PackedArray& array : arrays_)
+			writeList(array.on_points ? of_points : of_cells, array.name.c_str(), 0, array.rows_of_time);
+	}
+
+	void writeColumns(const std::deque<Column>& columns)
 	{
 		for (std::size_t first = 0; first < division_.parts(); first += kPartsAtOnce)
 		{
 			const std::size_t parts = std::min(kPartsAtOnce, division_.parts() - first);
-			std::vector<std::vector<Bytes>> gathered(columns_.size(), std::vector<Bytes>(parts));
+			std::vector<std::vector<Bytes>> gathered(columns.size(), std::vector<Bytes>(parts));
 			division_.forEach(parts,
 			                  [&](std::size_t part)
 			                  {
-				                  for (std::size_t column = 0; column < columns_.size(); ++column)
-					                  columns_[column].gather(first + part, gathered[column][part]);
+				                  for (std::size_t column = 0; column < columns.size(); ++column)
+					                  columns[column].gather(first + part, gathered[column][part]);
 			                  });
-			for (std::size_t column = 0; column < columns_.size(); ++column)
+			for (std::size_t column = 0; column < columns.size(); ++column)
 			{
 				Bytes together;
 				for (const Bytes& of_part : gathered[column])
 					together.insert(together.end(), of_part.begin(), of_part.end());
-				columns_[column].rows.append(together.data(), together.size() / columns_[column].row_bytes);
+				columns[column].rows->append(together.data(), together.size() / columns[column].row_bytes);
 			}
 		}
 	}
 
+	struct PackedArray
+	{
+		vtkDataArray* values; // at the time that was kept
+		bool on_points;
+		std::string name; // in the pack
+		RowWriter rows;
+		hsize_t rows_of_time;
+		PackFacts facts;
+	};
+
 	vtkUnstructuredGrid* grid_;
 	vtkDataArray* places_;
+	PackTimes times_;
 	PackDivision division_;
-	std::deque<Column> columns_;
+	std::deque<RowWriter> lists_;
+	std::deque<Column> columns_; // lists of points and cells
+	std::vector<PackedArray> arrays_;
 };
 
 } // namespace
 
-void writePack(vtkDataSet* data, const std::string& path, std::size_t cells_of_part, int threads)
+void writePack(vtkDataSet* data, const TimesToPack& times, const std::string& path, std::size_t cells_of_part,
+               int threads)
 {
 	H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 	auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
@@ -322,7 +368,7 @@ void writePack(vtkDataSet* data, const std::string& path, std::size_t cells_of_p
 	if (grid->GetNumberOfPoints() > most || grid->GetNumberOfCells() > most)
 		throw Refusal("has more than 4 294 967 295 points or cells; pack it in several files");
 	Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
-	PackWriter(grid, cells_of_part, threads).write(file);
+	PackWriter(grid, times, cells_of_part, threads).write(file);
 	if (H5Fflush(file, H5F_SCOPE_LOCAL) < 0)
 		throw NoRoom(kNoRoom);
 	file.close();

@@ -1,7 +1,5 @@
 #include "hdf5_rows.h"
 
-#include "vprobe-read/base/refusal.h"
-
 #include <fmt/format.h>
 
 #include <cerrno>
@@ -20,9 +18,25 @@ Rows::Rows(const File& file, int descriptor, std::string path, grid::NumberType 
 {
 	constexpr std::uint64_t most_components = 1 << 16;
 	if (sides_.empty() || sides_.size() > 2 || components() < 1 || components() > most_components ||
-	    size() > std::uint64_t(1) << 40 || !file.numberType(path_))
+	    sides_[0] > std::uint64_t(1) << 40 || !file.numberType(path_))
 		throw damaged(fmt::format("{} is no list of numbers", path_));
+	count_ = sides_[0];
 	offset_ = file.plainOffset(path_, type_);
+}
+
+Refusal Rows::shortOfRows() const
+{
+	return damaged(fmt::format("{} has fewer values than are asked of it", path_));
+}
+
+void Rows::narrow(std::uint64_t first, std::uint64_t count)
+{
+	if (first > count_ || count > count_ - first)
+		throw shortOfRows();
+	first_ += first;
+	count_ = count;
+	if (offset_)
+		*offset_ += first * rowBytes();
 }
 
 void Rows::askFor(std::uint64_t first, std::uint64_t count) const
@@ -34,14 +48,13 @@ void Rows::askFor(std::uint64_t first, std::uint64_t count) const
 
 void Rows::read(std::uint64_t first, std::uint64_t count, void* to) const
 {
-	const Refusal short_of_rows = damaged(fmt::format("{} has fewer values than are asked of it", path_));
 	if (first > size() || count > size() - first)
-		throw short_of_rows;
+		throw shortOfRows();
 	if (!offset_)
 	{
 		const std::lock_guard lock(one_at_a_time_);
 		std::vector<std::uint64_t> begin(sides_.size(), 0), counts(sides_);
-		begin[0] = first;
+		begin[0] = first_ + first;
 		counts[0] = count;
 		return file_.readSlab(path_, begin, counts, type_, to);
 	}
@@ -51,7 +64,7 @@ void Rows::read(std::uint64_t first, std::uint64_t count, void* to) const
 	{
 		const ssize_t bytes = pread(descriptor_, next, left, at);
 		if (bytes == 0 || (bytes < 0 && errno != EINTR))
-			throw short_of_rows;
+			throw shortOfRows();
 		if (bytes < 0)
 			continue;
 		next += bytes;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hdf5_file.h"
+#include "vprobe-read/base/refusal.h"
 
 #include <cstdint>
 #include <mutex>
@@ -19,7 +20,10 @@ public:
 	// type: of the numbers in memory. Throws a Refusal if the set is not there, or is no list of rows.
 	Rows(const File& file, int descriptor, std::string path, grid::NumberType type);
 
-	std::uint64_t size() const { return sides_[0]; }
+	// Leaves so many rows of the list, from the row `first` on. Throws a Refusal if they are not there.
+	void narrow(std::uint64_t first, std::uint64_t count);
+
+	std::uint64_t size() const { return count_; }
 	std::uint64_t components() const { return sides_.size() == 2 ? sides_[1] : 1; }
 	std::size_t rowBytes() const { return components() * grid::byteSize(type_); }
 	grid::NumberType type() const { return type_; }
@@ -32,11 +36,15 @@ public:
 	void read(std::uint64_t first, std::uint64_t count, void* to) const;
 
 private:
+	Refusal shortOfRows() const;
+
 	const File& file_;
 	int descriptor_;
 	std::string path_;
 	grid::NumberType type_;
 	std::vector<std::uint64_t> sides_;
+	std::uint64_t first_ = 0; // of its rows in the data set
+	std::uint64_t count_ = 0;
 	std::optional<std::uint64_t> offset_;
 	static std::mutex one_at_a_time_; // HDF5
 };

@@ -80,6 +80,7 @@ public:
 	// Sets the prefix for the names of blocks that are added from now on.
 	void setPrefix(std::string prefix) { prefix_ = std::move(prefix); }
 	void offerTimes(std::vector<double> times) { times_ = std::move(times); }
+	const std::vector<double>& times() const { return times_; }
 	void setLengthUnits(std::string units) { length_units_ = std::move(units); }
 	void setImaging(grid::Imaging imaging) { imaging_ = std::move(imaging); }
 	// Tells how many resolutions the file has.

@@ -22,6 +22,7 @@ struct PackOptions
 	std::vector<std::string> arrays;
 	std::string output;
 	int part = kUsualPart;
+	CLI::Option* time = nullptr; // that of the input
 };
 
 Result<ExitCode> runPack(PackOptions& options)
@@ -38,6 +39,7 @@ Result<ExitCode> runPack(PackOptions& options)
 	read::ReadOptions reading = session::readOptions(options.input.spec, input.time);
 	reading.stays_above = session::memoryForParts(options.input.spec);
 	reading.cells_of_part = static_cast<std::size_t>(options.part);
+	reading.all_times = options.time->empty();
 	if (!options.arrays.empty())
 		reading.arrays = {.all = false, .names = options.arrays};
 	const Status done = convertToFile(input.files[0], reading, options.output);
@@ -52,6 +54,7 @@ void addPack(CLI::App& program, Run& run)
 	CLI::App* command =
 	    program.add_subcommand("pack", "Write an input in parts that lie together in space, for cuts that read little");
 	addInputs(*command, options->input);
+	options->time = command->get_option("--time");
 	addMemory(*command, options->input);
 	command->add_option("--array", options->arrays, "Write this array only; give it again for several")
 	    ->type_name("NAME")
@@ -63,7 +66,8 @@ void addPack(CLI::App& program, Run& run)
 	                 fmt::format("Cells of a part of an unstructured grid, at most ({})", kUsualPart))
 	    ->type_name("CELLS")
 	    ->check(CLI::Range(64, 1 << 24));
-	command->footer("Writes one time, which --time chooses. An image gets bricks of some 32 points a side.");
+	command->footer("Writes all times of a grid that stands still, or the one that --time chooses. An image gets bricks of "
+	                "some 32 points a side.");
 	command->callback([&run, options] { run = [options] { return runPack(*options); }; });
 }
 

@@ -207,10 +207,12 @@ Made makePlacedPack(const std::string& file)
 {
 	Made made;
 	const auto counts = [&](std::uint64_t count) { return made.array<std::uint64_t>("uint64", {count}); };
-	json array = {{"name", "f"}, {"association", "point"}, {"components", 1}, {"type", "float32"}, {"offset", 0}};
-	array["facts"] = {{"tuples", 4}, {"values", json::array()}, {"changes", {0, 0}}};
-	array["facts"]["spans"] = json::array({{0.0, 0.0, false, false}, {0.0, 0.0, false, false}});
+	json array = {{"name", "f"}, {"association", "point"}, {"components", 1}, {"type", "float32"}};
+	json facts = {{"tuples", 4}, {"values", json::array()}, {"changes", {0, 0}}};
+	facts["spans"] = json::array({{0.0, 0.0, false, false}, {0.0, 0.0, false, false}});
+	array["times"] = json::array({{{"offset", 0}, {"facts", facts}}, {{"offset", 16}, {"facts", facts}}});
 	json block = {{"name", "pack"}, {"kind", "packed"}, {"file", file}, {"type", 10}, {"type_of_points", "float64"}};
+	block["time"] = 1;
 	block["runs"] = {{"boxes", made.array<double>("float64", {0, 0, 0, 1, 1, 1})},
 	                 {"cells", counts(1)},
 	                 {"ids", counts(4)},
@@ -237,13 +239,15 @@ TEST(Manifest, ChecksThePlacesOfAPack)
 	EXPECT_EQ(input->blocks[0].runs->runs().size(), 1u);
 	EXPECT_EQ(input->blocks[0].whole->farthest.size(), 8u); // the corners of the box
 	EXPECT_EQ(input->unplaced, 2u);
+	EXPECT_EQ(input->blocks[0].runs->times(), 2u);
 	EXPECT_TRUE(input->blocks[0].fields[0].is_in_runs);
 	EXPECT_FALSE(made.check()); // no file may be read
 
 	// Without any one of its values, and with others in their places.
 	const json whole = made.manifest();
 	for (const char* within :
-	     {"/blocks/0", "/blocks/0/runs", "/blocks/0/lists", "/blocks/0/arrays/0", "/blocks/0/pack"})
+	     {"/blocks/0", "/blocks/0/runs", "/blocks/0/lists", "/blocks/0/arrays/0", "/blocks/0/arrays/0/times/0",
+	      "/blocks/0/pack"})
 		for (const auto& [key, value] : whole.at(json::json_pointer(within)).items())
 			for (const json& other : {json(), json("x"), json(-1), json(1000), json::object()})
 			{

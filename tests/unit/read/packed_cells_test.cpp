@@ -1,3 +1,4 @@
+#include "grid/array_facts.h"
 #include "grid/block.h"
 #include "read/check_mesh.h"
 #include "read/packed_cells.h"
@@ -26,6 +27,8 @@ struct TwoParts
 	std::vector<std::int32_t> ids{0, 1, 2, 3, 0, 2, 1, 3};
 	std::vector<double> f{0, 10, 20, 30, 10, 20, 30, 40};
 	std::vector<std::int16_t> g{1, 2, 3, 4};
+	std::vector<double> later_f{1, 11, 21, 31, 11, 21, 31, 41};
+	std::vector<std::int16_t> later_g{-1, -2, -3, -4};
 	std::uint8_t type = grid::kTetra;
 	std::vector<std::int32_t> ends{0, 4, 0, 4};
 
@@ -60,7 +63,11 @@ struct TwoParts
 		contents.cell_numbers = list(std::vector<std::uint32_t>{7, 9}, 1).offset;
 		contents.types = list(std::vector<std::uint8_t>{grid::kTetra, grid::kTetra}, 1);
 		contents.ends = list(ends, 1);
-		contents.arrays = {{of_points, list(f, 1)}, {of_cells, list(g, 2)}};
+		contents.arrays = {{of_points, 8, {{list(f, 1).offset}, {list(later_f, 1).offset}}},
+		                   {of_cells, 4, {{list(g, 2).offset}, {list(later_g, 2).offset}}}};
+		const auto facts = std::make_shared<grid::ArrayFacts>();
+		facts->tuples = 5;
+		contents.arrays[0].times[1].facts = facts;
 		writeContents(path, bytes);
 		contents.file = std::make_shared<const parts::OpenFile>(path);
 		return contents;
@@ -79,6 +86,15 @@ std::vector<std::int64_t> idsOf(const PackedCells& cells)
 void fetch(grid::CellRuns& cells, std::initializer_list<std::uint32_t> runs)
 {
 	cells.fetch(std::vector<std::uint32_t>(runs));
+}
+
+grid::Block blockOf(const std::shared_ptr<PackedCells>& cells)
+{
+	grid::Block block;
+	block.grid = grid::UnstructuredGrid::listedInRuns(cells->points(), cells->cells());
+	block.fields = cells->fields();
+	block.runs = cells;
+	return block;
 }
 
 // x = `at`
@@ -128,15 +144,45 @@ TEST(PackedCells, AreReadRunByRun)
 	}
 }
 
+TEST(PackedCells, ReadTheValuesOfAnotherTimeAndNothingElse)
+{
+	TwoParts two;
+	const auto cells = std::make_shared<PackedCells>(two.contents());
+	fetch(*cells, {0, 1});
+	grid::Block block = blockOf(cells);
+	const grid::Block before = block;
+	EXPECT_EQ(cells->times(), 2u);
+	EXPECT_FALSE(cells->factsAt(0, block.fields[0]));
+	EXPECT_EQ(cells->factsAt(1, block.fields[0])->tuples, 5u);
+
+	cells->startCounting();
+	cells->goTo(1, 0, block);
+	EXPECT_EQ(block.fields[0].facts->tuples, 5u);
+	EXPECT_EQ(cells->bytesAfter({}), 2u * (16 + 4 * (12 + 4)));
+	fetch(*cells, {1});
+	EXPECT_EQ(cells->use().bytes_read, 4u * 8 + 4);
+	EXPECT_EQ(cells->use().kept, 2u);
+	EXPECT_EQ(block.fields[0].value(4, 0), 41.0);
+	EXPECT_EQ(block.fields[0].value(0, 0), 0.0); // of the other part alone
+	EXPECT_EQ(block.fields[1].value(1, 1), -4.0);
+	EXPECT_EQ(before.fields[0].value(4, 0), 40.0);
+	EXPECT_EQ(before.fields[0].value(0, 0), 0.0);
+	fetch(*cells, {0, 1});
+	EXPECT_EQ(cells->use().bytes_read, 2u * (4 * 8 + 4));
+	EXPECT_EQ(block.fields[0].value(0, 0), 1.0);
+
+	cells->goTo(0, std::nullopt, block);
+	cells->renew(block);
+	fetch(*block.runs, {1});
+	EXPECT_EQ(block.fields[0].value(4, 0), 40.0);
+}
+
 TEST(PackedCells, AreRenewedForTheirBlockAlone)
 {
 	TwoParts two;
 	const auto cells = std::make_shared<PackedCells>(two.contents());
 	fetch(*cells, {0, 1});
-	grid::Block block;
-	block.grid = grid::UnstructuredGrid::listedInRuns(cells->points(), cells->cells());
-	block.fields = cells->fields();
-	block.runs = cells;
+	grid::Block block = blockOf(cells);
 	const grid::Block copy = block;
 	cells->renew(block);
 	fetch(*block.runs, {0});
@@ -172,8 +218,10 @@ TEST(PackedCells, ThatContradictThemselvesAreRefused)
 	    [](auto& c) { c.all_points = std::uint64_t(1) << 33; },
 	    [](auto& c) { c.type = 5; },
 	    [](auto& c) { c.ids.offset = ~std::uint64_t(0); },
-	    [](auto& c) { c.arrays[1].list.offset += 5; },
-	    [](auto& c) { c.arrays[0].list.row_bytes = 0; },
+	    [](auto& c) { c.arrays[1].times[1].offset = c.file->size() - 3; },
+	    [](auto& c) { c.arrays[0].row_bytes = 0; },
+	    [](auto& c) { c.arrays[0].times.pop_back(); },
+	    [](auto& c) { c.time = 2; },
 	};
 	for (std::size_t d = 0; d < damages.size(); ++d)
 	{

@@ -6,6 +6,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <span>
+#include <string_view>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -21,6 +24,7 @@ namespace
 
 const std::string kRoot = "/VTKHDF";
 const std::string kOwn = "/vprobe";
+const std::string kSteps = "/VTKHDF/Steps";
 
 std::uint64_t checkedCount(double count, const char* name)
 {
@@ -36,19 +40,20 @@ bool isVtkHdfPack(const hdf5::File& file)
 	return file.has(kOwn) && file.has(kOwn + "/Boxes");
 }
 
-PackIndex::PackIndex(const hdf5::File& file, const WantsVtkHdfArray& wants)
-    : file_(file), descriptor_(open(file.name().c_str(), O_RDONLY | O_CLOEXEC)),
-      parts_(file, VtkHdfStep(file, std::nullopt)), all_points_(countOf("NumberOfPoints")),
-      all_cells_(countOf("NumberOfCells"))
+PackIndex::PackIndex(const hdf5::File& file, const VtkHdfTime& time, const WantsVtkHdfArray& wants)
+    : file_(file), steps_(time.steps), time_(time.chosen), descriptor_(open(file.name().c_str(), O_RDONLY | O_CLOEXEC)),
+      parts_(file, VtkHdfStep(file, file.has(kSteps) ? std::optional<std::uint64_t>(0) : std::nullopt)),
+      all_points_(countOf("NumberOfPoints")), all_cells_(countOf("NumberOfCells"))
 {
 	if (descriptor_ < 0)
 		throw Refusal("it cannot be opened; check its permissions");
-	if (const double version = file.realOr(kOwn, "Version", 1.0); version >= 2.0)
+	if (const double version = file.realOr(kOwn, "Version", 1.0); version >= 3.0)
 		throw Refusal(
 		    fmt::format("a pack of version {}; install a newer vprobe, or pack it again with this one", version));
 	const std::uint64_t lone_points = checkedCount(file_.realOr(kOwn, "PointsOfNoCell", 0.0), "PointsOfNoCell");
 	if (all_points_ > parts_.all_points + lone_points || all_cells_ != parts_.all_cells)
 		throw damaged("its parts do not make up the whole");
+	refuseMovingGrid();
 	listRuns();
 	listFarthest();
 	for (const char* association : {"Point", "Cell"})
@@ -79,10 +84,27 @@ NumberType PackIndex::typeOfPoints() const
 	return file_.numberType(kRoot + "/Points") == NumberType::float32 ? NumberType::float32 : NumberType::float64;
 }
 
-hdf5::Rows PackIndex::rowsOf(const PackedArray& array) const
+// All times have the same points and cells, since these are told once.
+void PackIndex::refuseMovingGrid() const
 {
-	return rowsOf(array.association + "Data/" + array.name, array.type,
-	              array.association == "Point" ? parts_.all_points : parts_.all_cells, array.components);
+	for (const char* list : {"PartOffsets", "NumberOfParts", "PointOffsets", "CellOffsets", "ConnectivityIdOffsets"})
+	{
+		const std::string path = kSteps + "/" + list;
+		if (!file_.isSet(path))
+			continue;
+		const bool is_count = list == std::string_view("NumberOfParts");
+		const auto wanted = static_cast<std::int64_t>(is_count ? parts_.count() : 0);
+		const std::vector<std::int64_t> numbers = file_.integersFrom(path, 0, times());
+		if (std::ranges::any_of(numbers, [wanted](std::int64_t number) { return number != wanted; }))
+			throw damaged("its times have other parts than the whole");
+	}
+}
+
+hdf5::Rows PackIndex::rowsOf(const PackedArray& array, std::size_t time) const
+{
+	hdf5::Rows rows(file_, descriptor_, kRoot + "/" + array.association + "Data/" + array.name, array.type);
+	rows.narrow(array.first_rows[time], array.association == "Point" ? parts_.all_points : parts_.all_cells);
+	return rows;
 }
 
 hdf5::Rows PackIndex::rowsOf(const std::string& list, NumberType type, std::uint64_t count,
@@ -158,37 +180,89 @@ void PackIndex::listArrays(const std::string& association, const WantsVtkHdfArra
 		if (!type)
 			throw damaged(fmt::format("the array {} holds no numbers", name));
 		const hdf5::Rows rows(file_, descriptor_, group + "/" + name, *type);
-		if (rows.size() != (association == "Point" ? parts_.all_points : parts_.all_cells))
+		const std::uint64_t count = association == "Point" ? parts_.all_points : parts_.all_cells;
+		if (rows.size() != count * times())
 			throw damaged(fmt::format("the array {} has not a value for each {}", name, association));
-		if (wants(association, name, *type, rows.components()))
-			arrays_.push_back({association, name, *type, rows.components(), factsOf(association, name, rows)});
+		if (!wants(association, name, *type, rows.components()))
+			continue;
+		PackedArray array{association,       name, *type,
+		                  rows.components(), {},   factsOf(association, name, rows.components())};
+		const std::string offsets = kSteps + "/" + association + "DataOffsets/" + name;
+		const std::vector<std::int64_t> first_rows =
+		    file_.isSet(offsets) ? file_.integersFrom(offsets, 0, times()) : std::vector<std::int64_t>(times(), 0);
+		for (const std::size_t step : steps_)
+		{
+			const auto first = static_cast<std::uint64_t>(first_rows[step]);
+			if (first > rows.size() - count)
+				throw damaged(fmt::format("{} leads out of its array", offsets));
+			array.first_rows.push_back(first);
+		}
+		arrays_.push_back(std::move(array));
 	}
 }
 
-// Returns the file's facts about all values of an array, as protocol.h has them.
-json PackIndex::factsOf(const std::string& association, const std::string& name, const hdf5::Rows& values) const
+// Returns the different values of an array of integers, for each step of the file. Empty if the file does not say them.
+std::vector<PackedValues> PackIndex::valuesOf(const std::string& path) const
+{
+	if (!file_.isSet(path + "/Values"))
+		return {};
+	const std::vector<double> values = file_.reals(path + "/Values");
+	std::vector<double> counts = {static_cast<double>(values.size())}, changes = file_.realsOr(path, "Changes");
+	if (file_.isSet(path + "/NumberOfValues"))
+	{
+		counts = file_.reals(path + "/NumberOfValues");
+		changes = file_.reals(path + "/Changes");
+	}
+	if (counts.size() != times() || changes.size() != 2 * times())
+		throw damaged(fmt::format("{} does not match its times", path));
+	std::vector<PackedValues> of_steps;
+	std::size_t first = 0;
+	for (std::size_t step = 0; step < times(); ++step)
+	{
+		const std::uint64_t count = checkedCount(counts[step], "NumberOfValues");
+		if (count > values.size() - first)
+			throw damaged(fmt::format("{} has fewer Values than it says", path));
+		const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first);
+		of_steps.push_back({{begin, begin + static_cast<std::ptrdiff_t>(count)},
+		                    checkedCount(changes[2 * step], "Changes"),
+		                    checkedCount(changes[2 * step + 1], "Changes")});
+		first += count;
+	}
+	return of_steps;
+}
+
+// Returns the file's facts about all values of an array at each time, as protocol.h has them.
+std::vector<json> PackIndex::factsOf(const std::string& association, const std::string& name,
+                                     std::uint64_t components) const
 {
 	const std::string path = kOwn + "/" + association + "Data/" + name;
 	const hdf5::Rows rows(file_, descriptor_, path + "/Spans", NumberType::float64);
-	if (rows.components() != 4 || rows.size() != values.components() + 1)
+	if (rows.components() != 4 || rows.size() != (components + 1) * times())
 		throw damaged(fmt::format("{} does not match its array", path));
 	std::vector<std::array<double, 4>> ends(rows.size());
 	rows.read(0, rows.size(), ends.data());
-	json facts = {{"tuples", association == "Point" ? all_points_ : all_cells_},
-	              {"spans", json::array()},
-	              {"values", json::array()},
-	              {"changes", {0u, 0u}}};
-	for (const auto& [lo, hi, minus, plus] : ends)
+	const std::vector<PackedValues> values = valuesOf(path);
+	std::vector<json> of_times;
+	for (const std::size_t step : steps_)
 	{
-		const bool is_empty = !(lo <= hi);
-		facts["spans"].push_back({is_empty ? json() : json(lo), is_empty ? json() : json(hi), minus > 0.0, plus > 0.0});
+		json facts = {{"tuples", association == "Point" ? all_points_ : all_cells_},
+		              {"spans", json::array()},
+		              {"values", json::array()},
+		              {"changes", {0u, 0u}}};
+		for (const auto& [lo, hi, minus, plus] : std::span(ends).subspan(step * (components + 1), components + 1))
+		{
+			const bool is_empty = !(lo <= hi);
+			facts["spans"].push_back(
+			    {is_empty ? json() : json(lo), is_empty ? json() : json(hi), minus > 0.0, plus > 0.0});
+		}
+		if (!values.empty())
+		{
+			facts["values"] = values[step].values;
+			facts["changes"] = {values[step].changes, values[step].changes_to_next};
+		}
+		of_times.push_back(std::move(facts));
 	}
-	if (!file_.isSet(path + "/Values"))
-		return facts;
-	facts["values"] = file_.reals(path + "/Values");
-	if (const std::vector<double> changes = file_.realsOr(path, "Changes"); changes.size() == 2)
-		facts["changes"] = {checkedCount(changes[0], "Changes"), checkedCount(changes[1], "Changes")};
-	return facts;
+	return of_times;
 }
 
 // As the manifest has them (protocol.h).
@@ -203,7 +277,7 @@ json PackIndex::facts(std::size_t runs_read, std::uint64_t bytes_read) const
 		}
 	json of_arrays = json::object();
 	for (const PackedArray& array : arrays_)
-		of_arrays[(array.association == "Point" ? "point:" : "cell:") + array.name] = array.facts;
+		of_arrays[(array.association == "Point" ? "point:" : "cell:") + array.name] = array.facts[time_];
 	const std::uint64_t flat = countOf("FlatCells"), hidden = countOf("HiddenCells"),
 	                    unplaced = countOf("CellsWithoutPlace");
 	if (flat + hidden + unplaced > all_cells_)

@@ -24,20 +24,30 @@ struct PackRun
 	std::uint64_t ids;
 };
 
+// The different values of integers, and how often they change.
+struct PackedValues
+{
+	std::vector<double> values{};
+	std::uint64_t changes = 0;
+	std::uint64_t changes_to_next = 0;
+};
+
 struct PackedArray
 {
 	std::string association; // "Point" or "Cell"
 	std::string name;
 	grid::NumberType type;
 	std::uint64_t components;
-	nlohmann::json facts; // as of protocol.h
+	// For each time of the pack:
+	std::vector<std::uint64_t> first_rows;
+	std::vector<nlohmann::json> facts; // as of protocol.h
 };
 
-// Holds what a pack tells of its parts. Throws a Refusal where it contradicts itself.
+// Holds what a pack tells of its parts, at all times. Throws a Refusal where it contradicts itself.
 class PackIndex
 {
 public:
-	PackIndex(const hdf5::File& file, const WantsVtkHdfArray& wants);
+	PackIndex(const hdf5::File& file, const VtkHdfTime& time, const WantsVtkHdfArray& wants);
 	~PackIndex();
 	PackIndex(const PackIndex&) = delete;
 	PackIndex& operator=(const PackIndex&) = delete;
@@ -55,7 +65,10 @@ public:
 	// Returns a list of VTKHDF ("Points"), or one of ours ("vprobe/PointNumbers"), that has so many rows.
 	hdf5::Rows rowsOf(const std::string& list, grid::NumberType type, std::uint64_t rows,
 	                  std::uint64_t components = 1) const;
-	hdf5::Rows rowsOf(const PackedArray& array) const;
+	// Returns the values of an array at a time, which has a number from 0.
+	hdf5::Rows rowsOf(const PackedArray& array, std::size_t time) const;
+	std::size_t times() const { return steps_.size(); }
+	std::size_t time() const { return time_; }                                   // the one that was asked for
 	std::uint64_t endCount() const { return parts_.all_cells + parts_.count(); } // a part has one more than cells
 	grid::NumberType typeOfPoints() const;
 
@@ -67,11 +80,16 @@ private:
 	std::vector<Row> allRows(const std::string& name, grid::NumberType type, std::uint64_t size) const;
 	void listRuns();
 	void listFarthest();
+	void refuseMovingGrid() const;
 	void listArrays(const std::string& association, const WantsVtkHdfArray& wants);
-	nlohmann::json factsOf(const std::string& association, const std::string& name, const hdf5::Rows& values) const;
+	std::vector<nlohmann::json> factsOf(const std::string& association, const std::string& name,
+	                                    std::uint64_t components) const;
+	std::vector<PackedValues> valuesOf(const std::string& path) const;
 	std::uint64_t countOf(const char* name) const;
 
 	const hdf5::File& file_;
+	std::vector<std::size_t> steps_; // of the file, in the order of their times
+	std::size_t time_;               // among them
 	int descriptor_;
 	VtkHdfParts parts_;
 	std::uint64_t all_points_ = 0;

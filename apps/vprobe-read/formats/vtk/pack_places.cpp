@@ -74,13 +74,18 @@ std::optional<json> describePlaces(const PackIndex& index, const std::string& fi
 	}
 	json arrays = json::array();
 	for (const PackedArray& array : index.arrays())
-		if (array.name != "vtkGhostType") // its marks have done their work
-			arrays.push_back({{"name", array.name},
-			                  {"association", array.association == "Point" ? "point" : "cell"},
-			                  {"components", array.components},
-			                  {"type", grid::numberTypeName(array.type)},
-			                  {"offset", offsetOf(index.rowsOf(array))},
-			                  {"facts", array.facts}});
+	{
+		if (array.name == "vtkGhostType") // its marks have done their work
+			continue;
+		json times = json::array();
+		for (std::size_t time = 0; time < index.times(); ++time)
+			times.push_back({{"offset", offsetOf(index.rowsOf(array, time))}, {"facts", array.facts[time]}});
+		arrays.push_back({{"name", array.name},
+		                  {"association", array.association == "Point" ? "point" : "cell"},
+		                  {"components", array.components},
+		                  {"type", grid::numberTypeName(array.type)},
+		                  {"times", std::move(times)}});
+	}
 	if (!all_plain)
 		return std::nullopt;
 	return json{{"kind", "packed"},
@@ -88,6 +93,7 @@ std::optional<json> describePlaces(const PackIndex& index, const std::string& fi
 	            {"runs", describeRuns(index, *runs, writer)},
 	            {"part_cells", written(writer, parts.cells)},
 	            {"part_points", written(writer, parts.points)},
+	            {"time", index.time()},
 	            {"type", type},
 	            {"type_of_points", grid::numberTypeName(index.typeOfPoints())},
 	            {"lists", std::move(lists)},

@@ -58,7 +58,8 @@ public:
 		if (version > 2.0)
 			throw Refusal(fmt::format("VTKHDF of version {}; versions 1 and 2 are read", version));
 		refuseOtherKinds(type);
-		if (const auto step = manifest::offerSteps(VtkHdfStep::timesOf(file_), request_, manifest_))
+		const std::vector<double> times = VtkHdfStep::timesOf(file_);
+		if (const auto step = manifest::offerSteps(times, request_, manifest_))
 			step_ = VtkHdfStep(file_, *step);
 		const auto wants = [this](const std::string& association, const std::string& name, NumberType of_values,
 		                          std::uint64_t components)
@@ -66,7 +67,7 @@ public:
 		if (type == "ImageData")
 			readImage();
 		else if (isVtkHdfPack(file_))
-			readVtkHdfPack(file_, request_, wants, manifest_);
+			readVtkHdfPack(file_, timeAmong(manifest::stepsInTime(times, manifest_).steps), request_, wants, manifest_);
 		else
 			readGrid();
 	}
@@ -85,6 +86,14 @@ private:
 		        ? "save it as .vtm from ParaView"
 		        : "save image data or unstructured grids";
 		throw Refusal(fmt::format("VTKHDF of type {}, which is not read; {}", type.substr(0, 40), remedy));
+	}
+
+	VtkHdfTime timeAmong(std::vector<std::size_t> steps) const
+	{
+		if (steps.empty())
+			return {{0}, 0};
+		const auto chosen = std::ranges::find(steps, step_.number());
+		return {steps, static_cast<std::size_t>(chosen - steps.begin())};
 	}
 
 	// The first files of version 1.0 name none.

@@ -237,7 +237,7 @@ private:
 	{
 		for (const PackedArray& wanted : index_.arrays())
 		{
-			const hdf5::Rows rows = index_.rowsOf(wanted);
+			const hdf5::Rows rows = index_.rowsOf(wanted, index_.time());
 			vtkSmartPointer<vtkDataArray> array;
 			if (wanted.association == "Point")
 			{
@@ -270,10 +270,10 @@ private:
 
 } // namespace
 
-void readVtkHdfPack(const hdf5::File& file, const Request& request, const WantsVtkHdfArray& wants,
-                    manifest::Writer& manifest)
+void readVtkHdfPack(const hdf5::File& file, const VtkHdfTime& time, const Request& request,
+                    const WantsVtkHdfArray& wants, manifest::Writer& manifest)
 {
-	const PackIndex index(file, wants);
+	const PackIndex index(file, time, wants);
 	const auto describe = [&](arrays::Writer& writer) { return describePlaces(index, file.name(), writer); };
 	if (request.wants_places && manifest.addPackInPlace(describe, index.facts(0, 0), index.farthest()))
 		return;

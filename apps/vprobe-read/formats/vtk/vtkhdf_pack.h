@@ -4,9 +4,11 @@
 #include "vprobe-read/base/request.h"
 #include "vprobe-read/hdf5/hdf5_file.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace vp::reader::manifest
 {
@@ -20,13 +22,21 @@ namespace vp::reader::vtk
 // (convert/write_pack.cpp, docs/FORMATS.md).
 bool isVtkHdfPack(const hdf5::File& file);
 
+// The time that is read, among all times of a file.
+struct VtkHdfTime
+{
+	std::vector<std::size_t> steps; // of the file, in the order of their times; one if it has no times
+	std::size_t chosen = 0;         // among them
+};
+
 // Says whether an array is wanted. association: "Point" or "Cell".
 using WantsVtkHdfArray = std::function<bool(const std::string& association, const std::string& name,
                                             grid::NumberType type, std::uint64_t components)>;
 
-// Reads a pack as one grid, or hands over where its cells lie, if the parent wants them there and can read them. Points
+// Reads a pack at a time as one grid, or hands over where its cells lie, if the parent wants them there and can read
+// them. Points
 // that several parts have become one again, in the order of the packed file. Throws a Refusal.
-void readVtkHdfPack(const hdf5::File& file, const Request& request, const WantsVtkHdfArray& wants,
-                    manifest::Writer& manifest);
+void readVtkHdfPack(const hdf5::File& file, const VtkHdfTime& time, const Request& request,
+                    const WantsVtkHdfArray& wants, manifest::Writer& manifest);
 
 } // namespace vp::reader::vtk

@@ -1,0 +1,55 @@
+#include "pack_facts.h"
+
+#include "grid/labels.h"
+#include "hdf5_output.h"
+
+#include <vtkDataArray.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace vp::reader::convert
+{
+
+void PackFacts::include(vtkDataArray& values)
+{
+	grid::Field field;
+	field.components = components_;
+	field.type = type_;
+	field.bytes = {nullptr, static_cast<const std::byte*>(values.GetVoidPointer(0)),
+	               static_cast<std::size_t>(values.GetNumberOfValues()) * grid::byteSize(type_)};
+	for (int component = 0; component <= components_; ++component)
+	{
+		const auto span = grid::valueSpan(field, component == components_ ? grid::kMagnitude : component);
+		spans_.insert(spans_.end(),
+		              {span.lo, span.hi, span.minus_infinity ? 1.0 : 0.0, span.plus_infinity ? 1.0 : 0.0});
+	}
+	if (components_ > 1 || type_ >= grid::NumberType::float32)
+		return;
+	const grid::Distinct found = grid::distinctValues(field, grid::kMaxCategories);
+	const std::span different(found.values.data(), found.count);
+	values_.insert(values_.end(), different.begin(), different.end());
+	value_counts_.push_back(static_cast<std::uint32_t>(found.count));
+	const grid::Changes changes = grid::changesOf(field, found.all());
+	changes_.insert(changes_.end(), {changes.all, changes.to_next});
+}
+
+void PackFacts::write(hid_t group, const std::string& name, bool with_times) const
+{
+	const Handle facts(H5Gcreate2(group, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+	writeValues(facts, "Spans", H5T_NATIVE_DOUBLE, {spans_.size() / 4, 4}, spans_.data());
+	if (changes_.empty())
+		return;
+	writeValues(facts, "Values", H5T_NATIVE_DOUBLE, {values_.size()}, values_.data());
+	if (with_times)
+	{
+		writeValues(facts, "NumberOfValues", H5T_NATIVE_UINT32, {value_counts_.size()}, value_counts_.data());
+		writeValues(facts, "Changes", H5T_NATIVE_UINT64, {changes_.size() / 2, 2}, changes_.data());
+	}
+	else
+		writeAttribute(facts, "Changes", H5T_NATIVE_UINT64, std::array{changes_[0], changes_[1]});
+}
+
+} // namespace vp::reader::convert

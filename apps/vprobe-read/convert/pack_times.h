@@ -1,0 +1,40 @@
+#pragma once
+
+#include "convert.h"
+
+#include <vtkSmartPointer.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkUnstructuredGrid;
+
+namespace vp::reader::convert
+{
+
+// The values of a grid that stands still, at each of its times.
+class PackTimes
+{
+public:
+	PackTimes(vtkUnstructuredGrid* kept, const TimesToPack& times) : kept_(kept), given_(times) {}
+
+	bool areSeveral() const { return given_.times.size() > 1; }
+	std::size_t count() const { return areSeveral() ? given_.times.size() : 1; }
+	const std::vector<double>& times() const { return given_.times; }
+
+	// Reads the grid at a time. Throws a Refusal if it has other points or cells there.
+	vtkSmartPointer<vtkUnstructuredGrid> gridAt(std::size_t time) const;
+	// Returns the values of an array at a time. grid: gridAt() of it. kept: the array of the grid that was kept.
+	// Throws a Refusal if the array is missing there, or has other numbers.
+	vtkDataArray* valuesAt(std::size_t time, vtkUnstructuredGrid* grid, vtkDataArray* kept, bool on_points) const;
+
+private:
+	std::string nameOf(std::size_t time) const;
+
+	vtkUnstructuredGrid* kept_;
+	const TimesToPack& given_;
+};
+
+} // namespace vp::reader::convert
