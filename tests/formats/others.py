@@ -33,6 +33,7 @@ import models
 import n5
 import newest
 import odd
+import packed_times
 import packs
 import parts
 import pictures
@@ -48,7 +49,8 @@ def chosen_cases():
     cases = (meshes.CASES + volumes.CASES + boxes.CASES + codes.CASES + odd.CASES + steps.CASES + exodus.CASES +
              conversion.CASES + conventions.CASES + far.CASES + stacks.CASES + curved.CASES +
              ensight.CASES + models.CASES + damage.CASES + pictures.CASES + labels.CASES + everyday.CASES +
-             parts.CASES + newest.CASES + scans.CASES + stacked.CASES + zarr3.CASES + n5.CASES + packs.CASES)
+             parts.CASES + newest.CASES + scans.CASES + stacked.CASES + zarr3.CASES + n5.CASES + packs.CASES +
+             packed_times.CASES)
     wanted = sys.argv[2] if len(sys.argv) > 2 else '1/1'
     if wanted == 'drawn':
         return drawn.CASES

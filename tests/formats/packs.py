@@ -308,7 +308,7 @@ def damaged_packs_are_refused(folder):
         return damage
 
     damages = {
-        'a newer version': attribute('Version', 2), 'no count of hidden cells': lambda file: file['vprobe'].attrs.__delitem__('HiddenCells'),
+        'a newer version': attribute('Version', 3), 'no count of hidden cells': lambda file: file['vprobe'].attrs.__delitem__('HiddenCells'),
         'a point moved': change('VTKHDF/Points', (0, 0), -3.0), 'a smaller box': change('vprobe/Boxes', (0, 3), 0.1),
         'an id beyond': change('VTKHDF/Connectivity', 0, 999999), 'an id below 0': change('VTKHDF/Connectivity', 0, -1),
         'points out of order': change('vprobe/PointNumbers', 1, 0),

@@ -245,9 +245,8 @@ TEST(Manifest, ChecksThePlacesOfAPack)
 
 	// Without any one of its values, and with others in their places.
 	const json whole = made.manifest();
-	for (const char* within :
-	     {"/blocks/0", "/blocks/0/runs", "/blocks/0/lists", "/blocks/0/arrays/0", "/blocks/0/arrays/0/times/0",
-	      "/blocks/0/pack"})
+	for (const char* within : {"/blocks/0", "/blocks/0/runs", "/blocks/0/lists", "/blocks/0/arrays/0",
+	                           "/blocks/0/arrays/0/times/0", "/blocks/0/pack"})
 		for (const auto& [key, value] : whole.at(json::json_pointer(within)).items())
 			for (const json& other : {json(), json("x"), json(-1), json(1000), json::object()})
 			{
