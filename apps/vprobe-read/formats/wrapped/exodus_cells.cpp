@@ -1,6 +1,7 @@
 #include "exodus_cells.h"
 
 #include "exodus_forms.h"
+#include "exodus_points.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/cells/new_nodes.h"
 #include "vprobe-read/hdf5/netcdf_file.h"
@@ -16,6 +17,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkSmartPointer.h>
+#include <vtkTypeInt64Array.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -25,6 +27,7 @@
 #include <cctype>
 #include <cmath>
 #include <numeric>
+#include <string_view>
 
 namespace vp::reader::wrapped
 {
@@ -99,33 +102,43 @@ vtkSmartPointer<vtkUnstructuredGrid> withUsedPoints(vtkUnstructuredGrid* grid, s
 void leaveOutPoints(vtkMultiBlockDataSet* parent, unsigned int child, vtkUnstructuredGrid* grid)
 {
 	vtkCellArray* cells = grid->GetCells();
-	if (!cells || !grid->GetPoints())
+	if (!cells || !grid->GetPoints() || grid->GetFaces()) // polyhedra list their points in their faces too
 		return;
-	vtkNew<vtkIdList> list;
-	std::vector<vtkIdType> ids;
-	for (vtkIdType c = 0; c < cells->GetNumberOfCells(); ++c)
+	cells->ConvertTo64BitStorage();
+	vtkTypeInt64Array* listed = cells->GetConnectivityArray64();
+	std::vector<vtkIdType> ids(listed->GetPointer(0), listed->GetPointer(0) + listed->GetNumberOfValues());
+	std::vector<bool> is_used(static_cast<std::size_t>(grid->GetNumberOfPoints()));
+	for (const vtkIdType id : ids)
 	{
-		cells->GetCellAtId(c, list);
-		for (const vtkIdType id : *list)
-		{
-			if (id < 0 || id >= grid->GetNumberOfPoints())
-				throw damaged(fmt::format("a cell lists point {} of {}", id, grid->GetNumberOfPoints()));
-			ids.push_back(id);
-		}
+		if (id < 0 || id >= grid->GetNumberOfPoints())
+			throw damaged(fmt::format("a cell lists point {} of {}", id, grid->GetNumberOfPoints()));
+		is_used[static_cast<std::size_t>(id)] = true;
 	}
-	if (grid->GetFaces())
-		return; // polyhedra list their points in their faces too
+	if (std::ranges::find(is_used, false) == is_used.end())
+		return;
 	const auto made = withUsedPoints(grid, ids);
-	vtkNew<vtkCellArray> renumbered;
-	std::size_t at = 0;
-	for (vtkIdType c = 0; c < cells->GetNumberOfCells(); ++c)
-	{
-		const vtkIdType size = cells->GetCellSize(c);
-		renumbered->InsertNextCell(size, ids.data() + at);
-		at += static_cast<std::size_t>(size);
-	}
-	made->SetCells(grid->GetCellTypesArray(), renumbered);
+	vtkNew<vtkTypeInt64Array> renumbered;
+	renumbered->SetNumberOfValues(listed->GetNumberOfValues());
+	std::ranges::copy(ids, renumbered->GetPointer(0));
+	vtkNew<vtkCellArray> new_cells;
+	new_cells->SetData(cells->GetOffsetsArray64(), renumbered);
+	made->SetCells(grid->GetCellTypesArray(), new_cells);
 	parent->SetBlock(child, made);
+}
+
+// Calls use(KIND, PARENT, CHILD, GRID) for each block of elements, and for each set. KIND: the name of what it is.
+template <class Use>
+void forEachGrid(vtkMultiBlockDataSet* objects, Use&& use)
+{
+	for (unsigned int kind = 0; kind < objects->GetNumberOfBlocks(); ++kind)
+	{
+		auto* parent = vtkMultiBlockDataSet::SafeDownCast(objects->GetBlock(kind));
+		const char* name =
+		    objects->HasMetaData(kind) ? objects->GetMetaData(kind)->Get(vtkCompositeDataSet::NAME()) : nullptr;
+		for (unsigned int child = 0; parent && child < parent->GetNumberOfBlocks(); ++child)
+			if (auto* grid = vtkUnstructuredGrid::SafeDownCast(parent->GetBlock(child)))
+				use(std::string_view(name ? name : ""), parent, child, grid);
+	}
 }
 
 // For each of the element's nodes in faces and inside, the node of the cell that it is. Writers list these in more than
@@ -268,29 +281,39 @@ void putExodusCellsRight(const std::string& path, const std::vector<OddExodusBlo
                          vtkMultiBlockDataSet* objects)
 {
 	const hdf5::NetcdfFile file(path);
-	for (unsigned int kind = 0; kind < objects->GetNumberOfBlocks(); ++kind)
+	const auto put =
+	    [&](std::string_view kind, vtkMultiBlockDataSet* parent, unsigned int child, vtkUnstructuredGrid* grid)
 	{
-		auto* children = vtkMultiBlockDataSet::SafeDownCast(objects->GetBlock(kind));
-		const char* name =
-		    objects->HasMetaData(kind) ? objects->GetMetaData(kind)->Get(vtkCompositeDataSet::NAME()) : nullptr;
-		const bool are_blocks = name && std::string_view(name) == "Element Blocks";
-		for (unsigned int child = 0; children && child < children->GetNumberOfBlocks(); ++child)
-		{
-			auto* grid = vtkUnstructuredGrid::SafeDownCast(children->GetBlock(child));
-			if (!grid)
-				continue;
-			const auto found = std::ranges::find_if(
-			    odd,
-			    [&](const OddExodusBlock& block) {
-				    return are_blocks &&
-				           block.id == reader->GetObjectId(vtkExodusIIReader::ELEM_BLOCK, static_cast<int>(child));
-			    });
-			if (found == odd.end())
-				leaveOutPoints(children, child, grid);
-			else
-				children->SetBlock(child, rebuilt(file, *found, grid));
-		}
-	}
+		const auto id = reader->GetObjectId(vtkExodusIIReader::ELEM_BLOCK, static_cast<int>(child));
+		const auto found = kind == "Element Blocks" ? std::ranges::find(odd, id, &OddExodusBlock::id) : odd.end();
+		if (found == odd.end())
+			leaveOutPoints(parent, child, grid);
+		else
+			parent->SetBlock(child, rebuilt(file, *found, grid));
+	};
+	forEachGrid(objects, put);
+}
+
+bool hasExodusPolyhedra(const std::string& path)
+{
+	const hdf5::NetcdfFile file(path);
+	const std::size_t blocks = std::min(file.length("num_el_blk"), std::size_t(1) << 20);
+	for (std::size_t block = 1; block <= blocks; ++block)
+		if (file.variable(fmt::format("facconn{}", block).c_str()) >= 0)
+			return true;
+	return false;
+}
+
+void leaveOutExodusPoints(vtkMultiBlockDataSet* objects, bool numbers_nodes)
+{
+	const auto leaveOut =
+	    [numbers_nodes](std::string_view, vtkMultiBlockDataSet* parent, unsigned int child, vtkUnstructuredGrid* grid)
+	{
+		if (numbers_nodes)
+			numberExodusNodes(grid);
+		leaveOutPoints(parent, child, grid);
+	};
+	forEachGrid(objects, leaveOut);
 }
 
 } // namespace vp::reader::wrapped

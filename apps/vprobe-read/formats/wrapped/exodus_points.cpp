@@ -6,6 +6,7 @@
 #include <vtkCompositeDataIterator.h>
 #include <vtkDoubleArray.h>
 #include <vtkExodusIIReader.h>
+#include <vtkIdTypeArray.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace vp::reader::wrapped
@@ -90,6 +92,15 @@ bool hasDoubleExodusPoints(const std::string& path)
 			return true;
 	}
 	return false;
+}
+
+void numberExodusNodes(vtkDataSet* data)
+{
+	vtkNew<vtkIdTypeArray> numbers;
+	numbers->SetName(vtkExodusIIReader::GetImplicitNodeIdArrayName());
+	numbers->SetNumberOfValues(data->GetNumberOfPoints());
+	std::iota(numbers->GetPointer(0), numbers->GetPointer(0) + data->GetNumberOfPoints(), vtkIdType(1));
+	data->GetPointData()->AddArray(numbers);
 }
 
 bool setExodusPoints(const std::string& path, vtkMultiBlockDataSet* objects)
