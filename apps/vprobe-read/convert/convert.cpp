@@ -21,6 +21,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -129,15 +130,18 @@ void writeConverted(const std::vector<KeptBlock>& blocks, const TimesToPack& tim
 	const std::string ending = fs::path(request.convert_to).extension().string();
 	if (ending == ".vtm")
 		return writeBlocks(blocks, request);
+	const std::string file = (fs::path(request.convert_folder) / fs::path(request.convert_to).filename()).string();
+	const auto isUnstructured = [](const KeptBlock& block) { return endingOf(block.data) == ".vtu"; };
+	if (request.cells_of_part > 0 && std::ranges::all_of(blocks, isUnstructured))
+		return writePack(blocks, times, file, request.cells_of_part, request.threads);
 	if (blocks.size() != 1 && request.cells_of_part > 0)
-		throw Refusal(fmt::format("has {} blocks, and one is packed at a time; convert it to .vtm and pack a piece",
-		                          blocks.size()));
+		throw Refusal(
+		    fmt::format("has {} blocks that are not all unstructured, and nothing else is packed yet; convert "
+		                "it to .vtm and pack its pieces",
+		                blocks.size()));
 	if (blocks.size() != 1)
 		throw Refusal(fmt::format("has {} blocks, and a {} file holds one; write a .vtm", blocks.size(), ending));
 	vtkDataSet* data = blocks[0].data;
-	const std::string file = (fs::path(request.convert_folder) / fs::path(request.convert_to).filename()).string();
-	if (request.cells_of_part > 0 && endingOf(data) == ".vtu")
-		return writePack(data, times, file, request.cells_of_part, request.threads);
 	if (request.cells_of_part > 0 && endingOf(data) != ".vti")
 		throw Refusal(
 		    "is neither image data nor unstructured, and nothing else is packed yet; convert it to .vtu first");

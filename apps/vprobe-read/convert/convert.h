@@ -28,9 +28,10 @@ struct KeptBlock
 struct TimesToPack
 {
 	std::vector<double> times{}; // ascending; empty: what was kept is all there is
-	std::size_t kept = 0;        // the one at which the block was kept
+	std::size_t kept = 0;        // the one at which the blocks were kept
 	// Reads the data sets of another one.
-	std::function<std::vector<vtkSmartPointer<vtkDataSet>>(std::size_t time)> read{};
+	using Read = std::vector<vtkSmartPointer<vtkDataSet>>;
+	std::function<Read(std::size_t time)> read{};
 };
 
 // Writes blocks in the VTK format that the ending of request.convert_to asks for. Throws a Refusal if that format has
@@ -41,9 +42,9 @@ void writeConverted(const std::vector<KeptBlock>& blocks, const TimesToPack& tim
 // threads: the most to use. Only vprobe-read-more has this.
 void writeVtkHdf(vtkDataSet* data, const std::string& file, int threads);
 
-// Writes an unstructured grid in parts of at most so many cells, with its values at all times. Throws a Refusal if its
+// Writes unstructured grids in parts of at most so many cells, with their values at all times. Throws a Refusal if
 // cells or points are others at another time. Only vprobe-read-more has this.
-void writePack(vtkDataSet* data, const TimesToPack& times, const std::string& file, std::size_t cells_of_part,
-               int threads);
+void writePack(const std::vector<KeptBlock>& blocks, const TimesToPack& times, const std::string& file,
+               std::size_t cells_of_part, int threads);
 
 } // namespace vp::reader::convert

@@ -55,14 +55,18 @@ std::string PackTimes::nameOf(std::size_t time) const
 	return fmt::format("at time {}", given_.times[time]);
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> PackTimes::gridAt(std::size_t time) const
+vtkSmartPointer<vtkUnstructuredGrid> PackTimes::takeGrid(std::size_t time, TimesToPack::Read& read) const
 {
 	if (!areSeveral() || time == given_.kept)
 		return kept_;
-	for (const vtkSmartPointer<vtkDataSet>& data : given_.read(time))
-		if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
-		    grid && grid->GetPoints() && haveEqualCells(grid, kept_))
-			return grid;
+	for (vtkSmartPointer<vtkDataSet>& data : read)
+	{
+		const vtkSmartPointer<vtkUnstructuredGrid> grid = vtkUnstructuredGrid::SafeDownCast(data);
+		if (!grid || !grid->GetPoints() || !haveEqualCells(grid, kept_))
+			continue;
+		data = nullptr; // another block may be like this one
+		return grid;
+	}
 	throw Refusal(fmt::format("has other points or cells {} than {}, and packs hold grids that stand still; choose one "
 	                          "time with --time",
 	                          nameOf(time), nameOf(given_.kept)));

@@ -24,9 +24,10 @@ public:
 	std::size_t count() const { return areSeveral() ? given_.times.size() : 1; }
 	const std::vector<double>& times() const { return given_.times; }
 
-	// Reads the grid at a time. Throws a Refusal if it has other points or cells there.
-	vtkSmartPointer<vtkUnstructuredGrid> gridAt(std::size_t time) const;
-	// Returns the values of an array at a time. grid: gridAt() of it. kept: the array of the grid that was kept.
+	// Takes the grid at a time out of the data sets that were read there. Throws a Refusal if none of them has its
+	// points and cells.
+	vtkSmartPointer<vtkUnstructuredGrid> takeGrid(std::size_t time, TimesToPack::Read& read) const;
+	// Returns the values of an array at a time. grid: takeGrid() of it. kept: the array of the grid that was kept.
 	// Throws a Refusal if the array is missing there, or has other numbers.
 	vtkDataArray* valuesAt(std::size_t time, vtkUnstructuredGrid* grid, vtkDataArray* kept, bool on_points) const;
 

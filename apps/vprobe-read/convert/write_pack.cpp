@@ -1,10 +1,10 @@
 // An unstructured grid in parts that lie together in space: VTKHDF 1.0 in partitions, or 2.0 with several times, which
 // VTK reads, and beside it a group `vprobe` that other programs pass over. docs/FORMATS.md describes the group.
 #include "convert.h"
-#include "grid/farthest_points.h"
 #include "hdf5_output.h"
 #include "pack_division.h"
 #include "pack_facts.h"
+#include "pack_head.h"
 #include "pack_times.h"
 #include "vprobe-read/arrays/value_image.h"
 #include "vprobe-read/base/refusal.h"
@@ -21,6 +21,7 @@
 #include <array>
 #include <deque>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -56,104 +57,61 @@ struct Column
 class PackWriter
 {
 public:
-	PackWriter(vtkUnstructuredGrid* grid, const TimesToPack& times, std::size_t most_cells, int threads)
-	    : grid_(grid), places_(grid->GetPoints()->GetData()), times_(grid, times), division_(grid, most_cells, threads)
+	// root: the group of the data set. own: the one beside it.
+	PackWriter(vtkUnstructuredGrid* grid, const TimesToPack& times, std::size_t most_cells, int threads, Handle root,
+	           Handle own)
+	    : grid_(grid), places_(grid->GetPoints()->GetData()), root_(std::move(root)), own_(std::move(own)),
+	      times_(grid, times), division_(grid, most_cells, threads)
 	{
 	}
 
-	void write(hid_t file)
+	// Writes all but the values of arrays.
+	void writeGrid()
 	{
-		const Handle root = groupInOrder(file, "VTKHDF");
-		const std::array<std::int64_t, 2> version = {times_.areSeveral() ? 2 : 1, 0}; // the same in both groups
-		writeAttribute(root, "Version", H5T_NATIVE_INT64, version);
-		writeType(root, "UnstructuredGrid");
-		const Handle own = groupInOrder(file, "vprobe");
-		writeAttribute(own, "Version", H5T_NATIVE_INT64, version);
-		const auto count = [](vtkIdType number) { return std::array<std::int64_t, 1>{number}; };
-		writeAttribute(own, "NumberOfPoints", H5T_NATIVE_INT64, count(grid_->GetNumberOfPoints()));
-		writeAttribute(own, "NumberOfCells", H5T_NATIVE_INT64, count(grid_->GetNumberOfCells()));
-		writeAttribute(own, "PointsOfNoCell", H5T_NATIVE_INT64, count(pointsOfNoCell()));
-		writeAttribute(own, "CellsOfRun", H5T_NATIVE_INT64, count(static_cast<vtkIdType>(division_.cellsOfRun())));
-		const PackDivision::LeftOut& left_out = division_.leftOut();
-		writeAttribute(own, "FlatCells", H5T_NATIVE_INT64, count(left_out.flat));
-		writeAttribute(own, "HiddenCells", H5T_NATIVE_INT64, count(left_out.hidden));
-		writeAttribute(own, "CellsWithoutPlace", H5T_NATIVE_INT64, count(left_out.unplaced));
-		const std::span<const std::uint8_t> types = division_.types();
-		if (std::ranges::all_of(types, [&](std::uint8_t type) { return type == types[0]; }))
-			writeAttribute(own, "CellType", H5T_NATIVE_INT64, count(types[0]));
-		writeCounts(root);
-		writeRuns(own);
-		writeFarthestPoints(own);
-		addCells(root, own);
-		addArrays(root, "PointData", grid_->GetPointData(), true);
-		addArrays(root, "CellData", grid_->GetCellData(), false);
+		writeAttribute(own_, "Version", H5T_NATIVE_INT64, std::array<std::int64_t, 2>{times_.areSeveral() ? 2 : 1, 0});
+		writePackHead(grid_, division_, root_, own_);
+		addCells(root_, own_);
+		addArrays(root_, "PointData", grid_->GetPointData(), true);
+		addArrays(root_, "CellData", grid_->GetCellData(), false);
 		if (times_.areSeveral())
-			writeSteps(root);
+			writeSteps(root_);
 		writeColumns(columns_);
-		writeArrays();
-		writeFacts(own);
+	}
+
+	// Writes the values at the next time. Takes the grid out of those that were read at that time.
+	void writeArrays(std::size_t time, TimesToPack::Read& read)
+	{
+		const vtkSmartPointer<vtkUnstructuredGrid> grid = times_.takeGrid(time, read);
+		std::deque<Column> columns;
+		for (PackedArray& array : arrays_)
+		{
+			vtkDataArray* values = times_.valuesAt(time, grid, array.values, array.on_points);
+			array.facts.include(*values);
+			const auto* from = static_cast<const std::byte*>(values->GetVoidPointer(0));
+			const std::size_t bytes = static_cast<std::size_t>(values->GetNumberOfComponents()) *
+			                          static_cast<std::size_t>(values->GetDataTypeSize());
+			columns.push_back({&array.rows, bytes,
+			                   [this, from, bytes, on_points = array.on_points](std::size_t part, Bytes& to)
+			                   {
+				                   const std::span<const std::uint32_t> rows =
+				                       on_points ? division_.points(part) : division_.cells(part);
+				                   for (const std::uint32_t row : rows)
+					                   put(from + row * bytes, bytes, to);
+			                   }});
+		}
+		writeColumns(columns);
+	}
+
+	// Writes what is known when all values were written.
+	void writeFacts() const
+	{
+		const Handle of_points = groupInOrder(own_, "PointData");
+		const Handle of_cells = groupInOrder(own_, "CellData");
+		for (const PackedArray& array : arrays_)
+			array.facts.write(array.on_points ? of_points : of_cells, array.name, times_.areSeveral());
 	}
 
 private:
-	void writeCounts(hid_t root) const
-	{
-		std::vector<std::int64_t> points, cells, ids;
-		for (std::size_t part = 0; part < division_.parts(); ++part)
-		{
-			points.push_back(static_cast<std::int64_t>(division_.points(part).size()));
-			cells.push_back(static_cast<std::int64_t>(division_.cells(part).size()));
-			ids.push_back(static_cast<std::int64_t>(division_.ids(part)));
-		}
-		const std::vector<hsize_t> sides = {points.size()};
-		writeValues(root, "NumberOfPoints", H5T_NATIVE_INT64, sides, points.data());
-		writeValues(root, "NumberOfCells", H5T_NATIVE_INT64, sides, cells.data());
-		writeValues(root, "NumberOfConnectivityIds", H5T_NATIVE_INT64, sides, ids.data());
-	}
-
-	vtkIdType pointsOfNoCell() const
-	{
-		std::vector<bool> has_cell(static_cast<std::size_t>(grid_->GetNumberOfPoints()));
-		for (std::size_t part = 0; part < division_.parts(); ++part)
-			for (const std::uint32_t point : division_.points(part))
-				has_cell[point] = true;
-		return std::ranges::count(has_cell, false);
-	}
-
-	// A box and the number of ids for each run of cells.
-	void writeRuns(hid_t own) const
-	{
-		static_assert(sizeof(PackBox) == 6 * sizeof(double));
-		std::vector<PackBox> boxes;
-		std::vector<std::uint32_t> counts;
-		for (std::size_t part = 0; part < division_.parts(); ++part)
-			for (const PackRun& run : division_.runs(part))
-			{
-				boxes.push_back(run.box);
-				counts.push_back(run.ids);
-			}
-		writeValues(own, "Boxes", H5T_NATIVE_DOUBLE, {boxes.size(), 6}, boxes.data());
-		writeValues(own, "NumberOfConnectivityIds", H5T_NATIVE_UINT32, {counts.size()}, counts.data());
-	}
-
-	// A camera is set so that it sees all of them.
-	void writeFarthestPoints(hid_t own) const
-	{
-		Box bounds;
-		for (std::size_t part = 0; part < division_.parts(); ++part)
-			for (const auto& [box, ids] : division_.runs(part))
-				if (box.lo[0] <= box.hi[0])
-					bounds.include(Box{{box.lo[0], box.lo[1], box.lo[2]}, {box.hi[0], box.hi[1], box.hi[2]}});
-		grid::FarthestPoints farthest(bounds.center());
-		farthest.include(bounds, static_cast<std::size_t>(grid_->GetNumberOfPoints()),
-		                 [this](std::size_t point)
-		                 {
-			                 const std::array<double, 3> at = division_.place(static_cast<std::uint32_t>(point));
-			                 return Vec3(at[0], at[1], at[2]);
-		                 });
-		const std::vector<Vec3> points = farthest.points();
-		writeValues(own, "FarthestPoints", H5T_NATIVE_DOUBLE, {points.size(), 3}, points.data());
-	}
-
 	void add(hid_t group, const char* name, hid_t type, std::vector<hsize_t> sides,
 	         std::function<void(std::size_t, Bytes&)> gather)
 	{
@@ -259,40 +217,6 @@ private:
 		}
 	}
 
-	void writeArrays()
-	{
-		for (std::size_t time = 0; time < times_.count(); ++time)
-		{
-			const vtkSmartPointer<vtkUnstructuredGrid> grid = times_.gridAt(time);
-			std::deque<Column> columns;
-			for (PackedArray& array : arrays_)
-			{
-				vtkDataArray* values = times_.valuesAt(time, grid, array.values, array.on_points);
-				array.facts.include(*values);
-				const auto* from = static_cast<const std::byte*>(values->GetVoidPointer(0));
-				const std::size_t bytes = static_cast<std::size_t>(values->GetNumberOfComponents()) *
-				                          static_cast<std::size_t>(values->GetDataTypeSize());
-				columns.push_back({&array.rows, bytes,
-				                   [this, from, bytes, on_points = array.on_points](std::size_t part, Bytes& to)
-				                   {
-					                   const std::span<const std::uint32_t> rows =
-					                       on_points ? division_.points(part) : division_.cells(part);
-					                   for (const std::uint32_t row : rows)
-						                   put(from + row * bytes, bytes, to);
-				                   }});
-			}
-			writeColumns(columns);
-		}
-	}
-
-	void writeFacts(hid_t own) const
-	{
-		const Handle of_points = groupInOrder(own, "PointData");
-		const Handle of_cells = groupInOrder(own, "CellData");
-		for (const PackedArray& array : arrays_)
-			array.facts.write(array.on_points ? of_points : of_cells, array.name, times_.areSeveral());
-	}
-
 	// Says where the values of each time are. All times have the same points and cells.
 	void writeSteps(hid_t root) const
 	{
@@ -350,6 +274,7 @@ private:
 
 	vtkUnstructuredGrid* grid_;
 	vtkDataArray* places_;
+	Handle root_, own_;
 	PackTimes times_;
 	PackDivision division_;
 	std::deque<RowWriter> lists_;
@@ -357,18 +282,60 @@ private:
 	std::vector<PackedArray> arrays_;
 };
 
+// Several blocks become a collection: a group for each, and a tree of links that names them.
+std::deque<PackWriter> writersOf(const std::vector<KeptBlock>& blocks, const TimesToPack& times, hid_t file,
+                                 std::size_t cells_of_part, int threads)
+{
+	constexpr vtkIdType most = 0xFFFFFFFF;
+	const bool are_several = blocks.size() > 1;
+	const std::array<std::int64_t, 2> version = {times.times.size() > 1 || are_several ? 2 : 1, are_several ? 1 : 0};
+	Handle root = groupInOrder(file, "VTKHDF");
+	Handle own = groupInOrder(file, "vprobe");
+	writeAttribute(root, "Version", H5T_NATIVE_INT64, version);
+	writeType(root, are_several ? "PartitionedDataSetCollection" : "UnstructuredGrid");
+	const auto tree = are_several ? std::optional(groupInOrder(root, "Assembly")) : std::nullopt;
+	std::deque<PackWriter> writers;
+	for (const KeptBlock& block : blocks)
+	{
+		auto* grid = vtkUnstructuredGrid::SafeDownCast(block.data);
+		if (grid->GetNumberOfPoints() > most || grid->GetNumberOfCells() > most)
+			throw Refusal("has more than 4 294 967 295 points or cells; pack it in several files");
+		if (!are_several)
+		{
+			writers.emplace_back(grid, times, cells_of_part, threads, std::move(root), std::move(own));
+			break;
+		}
+		const std::string name = nameInGroup(root, block.name.empty() ? "block" : block.name);
+		Handle of_block = groupInOrder(root, name.c_str());
+		writeAttribute(of_block, "Version", H5T_NATIVE_INT64, version);
+		writeType(of_block, "UnstructuredGrid");
+		writeAttribute(of_block, "Index", H5T_NATIVE_INT64, std::array{static_cast<std::int64_t>(writers.size())});
+		checked(H5Lcreate_soft(("/VTKHDF/" + name).c_str(), *tree, name.c_str(), H5P_DEFAULT, H5P_DEFAULT));
+		writers.emplace_back(grid, times, cells_of_part, threads, std::move(of_block), groupInOrder(own, name.c_str()));
+	}
+	return writers;
+}
+
 } // namespace
 
-void writePack(vtkDataSet* data, const TimesToPack& times, const std::string& path, std::size_t cells_of_part,
-               int threads)
+void writePack(const std::vector<KeptBlock>& blocks, const TimesToPack& times, const std::string& path,
+               std::size_t cells_of_part, int threads)
 {
 	H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-	auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
-	constexpr vtkIdType most = 0xFFFFFFFF;
-	if (grid->GetNumberOfPoints() > most || grid->GetNumberOfCells() > most)
-		throw Refusal("has more than 4 294 967 295 points or cells; pack it in several files");
 	Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
-	PackWriter(grid, times, cells_of_part, threads).write(file);
+	{
+		std::deque<PackWriter> writers = writersOf(blocks, times, file, cells_of_part, threads);
+		for (PackWriter& writer : writers)
+			writer.writeGrid();
+		for (std::size_t time = 0; time < std::max<std::size_t>(times.times.size(), 1); ++time)
+		{
+			TimesToPack::Read read = time == times.kept ? TimesToPack::Read() : times.read(time);
+			for (PackWriter& writer : writers)
+				writer.writeArrays(time, read);
+		}
+		for (const PackWriter& writer : writers)
+			writer.writeFacts();
+	}
 	if (H5Fflush(file, H5F_SCOPE_LOCAL) < 0)
 		throw NoRoom(kNoRoom);
 	file.close();

@@ -185,9 +185,11 @@ void Writer::addPack(vtkUnstructuredGrid* grid, json facts, std::span<const std:
                      std::span<const std::uint32_t> numbers)
 {
 	const std::size_t before = blocks_.size();
+	const cells::CellCounts counts = counts_;
 	addDataSet("", grid);
 	if (blocks_.size() == before)
 		return;
+	counts_ = counts; // the file tells them
 	json& block = blocks_.back();
 	const json of_arrays = takePackCounts(facts);
 	for (json& array : block["arrays"])
@@ -202,8 +204,8 @@ void Writer::addPack(vtkUnstructuredGrid* grid, json facts, std::span<const std:
 // Takes what is told elsewhere out of the facts. Returns those about arrays.
 json Writer::takePackCounts(json& facts)
 {
-	counts_.flat = facts.at("flat_cells").get<std::size_t>();
-	counts_.hidden = facts.at("hidden_cells").get<std::size_t>();
+	counts_.flat += facts.at("flat_cells").get<std::size_t>();
+	counts_.hidden += facts.at("hidden_cells").get<std::size_t>();
 	json of_arrays = std::exchange(facts["arrays"], {});
 	for (const char* told : {"arrays", "flat_cells", "hidden_cells"})
 		facts.erase(told);

@@ -22,9 +22,7 @@ using nlohmann::json;
 namespace
 {
 
-const std::string kRoot = "/VTKHDF";
-const std::string kOwn = "/vprobe";
-const std::string kSteps = "/VTKHDF/Steps";
+constexpr std::string_view kOwnList = "own/";
 
 std::uint64_t checkedCount(double count, const char* name)
 {
@@ -35,22 +33,24 @@ std::uint64_t checkedCount(double count, const char* name)
 
 } // namespace
 
-bool isVtkHdfPack(const hdf5::File& file)
+bool isVtkHdfPack(const hdf5::File& file, const VtkHdfPack& pack)
 {
-	return file.has(kOwn) && file.has(kOwn + "/Boxes");
+	return file.has(pack.own) && file.has(pack.own + "/Boxes");
 }
 
-PackIndex::PackIndex(const hdf5::File& file, const VtkHdfTime& time, const WantsVtkHdfArray& wants)
-    : file_(file), steps_(time.steps), time_(time.chosen), descriptor_(open(file.name().c_str(), O_RDONLY | O_CLOEXEC)),
-      parts_(file, VtkHdfStep(file, file.has(kSteps) ? std::optional<std::uint64_t>(0) : std::nullopt)),
+PackIndex::PackIndex(const hdf5::File& file, const VtkHdfPack& pack, const WantsVtkHdfArray& wants)
+    : file_(file), root_(pack.root), own_(pack.own), steps_(pack.steps), time_(pack.chosen),
+      descriptor_(open(file.name().c_str(), O_RDONLY | O_CLOEXEC)),
+      parts_(file,
+             VtkHdfStep(file, root_, file.has(root_ + "/Steps") ? std::optional<std::uint64_t>(0) : std::nullopt)),
       all_points_(countOf("NumberOfPoints")), all_cells_(countOf("NumberOfCells"))
 {
 	if (descriptor_ < 0)
 		throw Refusal("it cannot be opened; check its permissions");
-	if (const double version = file.realOr(kOwn, "Version", 1.0); version >= 3.0)
+	if (const double version = file.realOr(own_, "Version", 1.0); version >= 3.0)
 		throw Refusal(
 		    fmt::format("a pack of version {}; install a newer vprobe, or pack it again with this one", version));
-	const std::uint64_t lone_points = checkedCount(file_.realOr(kOwn, "PointsOfNoCell", 0.0), "PointsOfNoCell");
+	const std::uint64_t lone_points = checkedCount(file_.realOr(own_, "PointsOfNoCell", 0.0), "PointsOfNoCell");
 	if (all_points_ > parts_.all_points + lone_points || all_cells_ != parts_.all_cells)
 		throw damaged("its parts do not make up the whole");
 	refuseMovingGrid();
@@ -67,12 +67,12 @@ PackIndex::~PackIndex()
 
 std::uint64_t PackIndex::countOf(const char* name) const
 {
-	return checkedCount(file_.realOr(kOwn, name, -1.0), name);
+	return checkedCount(file_.realOr(own_, name, -1.0), name);
 }
 
 std::uint8_t PackIndex::typeOfAll() const
 {
-	const double told = file_.realOr(kOwn, "CellType", 0.0);
+	const double told = file_.realOr(own_, "CellType", 0.0);
 	const auto type = static_cast<std::uint8_t>(told > 0.0 && told < 256.0 ? told : 0.0);
 	const auto size = static_cast<std::uint64_t>(read::slicedCellSize(type));
 	const auto has_size = [size](const PackRun& run) { return run.ids == size * run.cells; };
@@ -81,7 +81,7 @@ std::uint8_t PackIndex::typeOfAll() const
 
 NumberType PackIndex::typeOfPoints() const
 {
-	return file_.numberType(kRoot + "/Points") == NumberType::float32 ? NumberType::float32 : NumberType::float64;
+	return file_.numberType(root_ + "/Points") == NumberType::float32 ? NumberType::float32 : NumberType::float64;
 }
 
 // All times have the same points and cells, since these are told once.
@@ -89,7 +89,7 @@ void PackIndex::refuseMovingGrid() const
 {
 	for (const char* list : {"PartOffsets", "NumberOfParts", "PointOffsets", "CellOffsets", "ConnectivityIdOffsets"})
 	{
-		const std::string path = kSteps + "/" + list;
+		const std::string path = root_ + "/Steps/" + list;
 		if (!file_.isSet(path))
 			continue;
 		const bool is_count = list == std::string_view("NumberOfParts");
@@ -102,7 +102,7 @@ void PackIndex::refuseMovingGrid() const
 
 hdf5::Rows PackIndex::rowsOf(const PackedArray& array, std::size_t time) const
 {
-	hdf5::Rows rows(file_, descriptor_, kRoot + "/" + array.association + "Data/" + array.name, array.type);
+	hdf5::Rows rows(file_, descriptor_, root_ + "/" + array.association + "Data/" + array.name, array.type);
 	rows.narrow(array.first_rows[time], array.association == "Point" ? parts_.all_points : parts_.all_cells);
 	return rows;
 }
@@ -110,7 +110,8 @@ hdf5::Rows PackIndex::rowsOf(const PackedArray& array, std::size_t time) const
 hdf5::Rows PackIndex::rowsOf(const std::string& list, NumberType type, std::uint64_t count,
                              std::uint64_t components) const
 {
-	const std::string path = list.starts_with("vprobe/") ? "/" + list : kRoot + "/" + list;
+	const std::string path =
+	    list.starts_with(kOwnList) ? own_ + "/" + list.substr(kOwnList.size()) : root_ + "/" + list;
 	hdf5::Rows rows(file_, descriptor_, path, type);
 	if (rows.components() != components)
 		throw damaged(fmt::format("the rows of {} have {} numbers", path, rows.components()));
@@ -122,7 +123,7 @@ hdf5::Rows PackIndex::rowsOf(const std::string& list, NumberType type, std::uint
 template <class Row>
 std::vector<Row> PackIndex::allRows(const std::string& name, NumberType type, std::uint64_t size) const
 {
-	const hdf5::Rows rows(file_, descriptor_, kOwn + "/" + name, type);
+	const hdf5::Rows rows(file_, descriptor_, own_ + "/" + name, type);
 	if (rows.size() != size || rows.rowBytes() != sizeof(Row))
 		throw damaged(fmt::format("its {} do not match its cells", name));
 	std::vector<Row> values(size);
@@ -161,9 +162,9 @@ void PackIndex::listRuns()
 
 void PackIndex::listFarthest()
 {
-	if (!file_.isSet(kOwn + "/FarthestPoints"))
+	if (!file_.isSet(own_ + "/FarthestPoints"))
 		return;
-	const hdf5::Rows rows(file_, descriptor_, kOwn + "/FarthestPoints", NumberType::float64);
+	const hdf5::Rows rows(file_, descriptor_, own_ + "/FarthestPoints", NumberType::float64);
 	constexpr std::uint64_t most = 1 << 16;
 	if (rows.components() != 3 || rows.size() > most)
 		throw damaged("its farthest points cannot be");
@@ -173,7 +174,7 @@ void PackIndex::listFarthest()
 
 void PackIndex::listArrays(const std::string& association, const WantsVtkHdfArray& wants)
 {
-	const std::string group = kRoot + "/" + association + "Data";
+	const std::string group = root_ + "/" + association + "Data";
 	for (const std::string& name : file_.namesIn(group, hdf5::File::Order::creation))
 	{
 		const auto type = file_.numberType(group + "/" + name);
@@ -187,7 +188,7 @@ void PackIndex::listArrays(const std::string& association, const WantsVtkHdfArra
 			continue;
 		PackedArray array{association,       name, *type,
 		                  rows.components(), {},   factsOf(association, name, rows.components())};
-		const std::string offsets = kSteps + "/" + association + "DataOffsets/" + name;
+		const std::string offsets = root_ + "/Steps/" + association + "DataOffsets/" + name;
 		const std::vector<std::int64_t> first_rows =
 		    file_.isSet(offsets) ? file_.integersFrom(offsets, 0, times()) : std::vector<std::int64_t>(times(), 0);
 		for (const std::size_t step : steps_)
@@ -235,7 +236,7 @@ std::vector<PackedValues> PackIndex::valuesOf(const std::string& path) const
 std::vector<json> PackIndex::factsOf(const std::string& association, const std::string& name,
                                      std::uint64_t components) const
 {
-	const std::string path = kOwn + "/" + association + "Data/" + name;
+	const std::string path = own_ + "/" + association + "Data/" + name;
 	const hdf5::Rows rows(file_, descriptor_, path + "/Spans", NumberType::float64);
 	if (rows.components() != 4 || rows.size() != (components + 1) * times())
 		throw damaged(fmt::format("{} does not match its array", path));

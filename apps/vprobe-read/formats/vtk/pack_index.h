@@ -47,7 +47,7 @@ struct PackedArray
 class PackIndex
 {
 public:
-	PackIndex(const hdf5::File& file, const VtkHdfTime& time, const WantsVtkHdfArray& wants);
+	PackIndex(const hdf5::File& file, const VtkHdfPack& pack, const WantsVtkHdfArray& wants);
 	~PackIndex();
 	PackIndex(const PackIndex&) = delete;
 	PackIndex& operator=(const PackIndex&) = delete;
@@ -62,7 +62,7 @@ public:
 	std::uint8_t typeOfAll() const;
 	const VtkHdfParts& parts() const { return parts_; }
 
-	// Returns a list of VTKHDF ("Points"), or one of ours ("vprobe/PointNumbers"), that has so many rows.
+	// Returns a list of VTKHDF ("Points"), or one of ours ("own/PointNumbers"), that has so many rows.
 	hdf5::Rows rowsOf(const std::string& list, grid::NumberType type, std::uint64_t rows,
 	                  std::uint64_t components = 1) const;
 	// Returns the values of an array at a time, which has a number from 0.
@@ -88,6 +88,7 @@ private:
 	std::uint64_t countOf(const char* name) const;
 
 	const hdf5::File& file_;
+	std::string root_, own_;         // its groups
 	std::vector<std::size_t> steps_; // of the file, in the order of their times
 	std::size_t time_;               // among them
 	int descriptor_;

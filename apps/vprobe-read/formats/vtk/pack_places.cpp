@@ -61,11 +61,10 @@ std::optional<json> describePlaces(const PackIndex& index, const std::string& fi
 		return rows.plainOffset().value_or(0);
 	};
 	const VtkHdfParts& parts = index.parts();
-	json lists = {
-	    {"points", offsetOf(index.rowsOf("Points", index.typeOfPoints(), parts.all_points, 3))},
-	    {"point_numbers", offsetOf(index.rowsOf("vprobe/PointNumbers", NumberType::uint32, parts.all_points))},
-	    {"ids", offsetOf(index.rowsOf("Connectivity", NumberType::int32, parts.all_ids))},
-	    {"cell_numbers", offsetOf(index.rowsOf("vprobe/CellNumbers", NumberType::uint32, parts.all_cells))}};
+	json lists = {{"points", offsetOf(index.rowsOf("Points", index.typeOfPoints(), parts.all_points, 3))},
+	              {"point_numbers", offsetOf(index.rowsOf("own/PointNumbers", NumberType::uint32, parts.all_points))},
+	              {"ids", offsetOf(index.rowsOf("Connectivity", NumberType::int32, parts.all_ids))},
+	              {"cell_numbers", offsetOf(index.rowsOf("own/CellNumbers", NumberType::uint32, parts.all_cells))}};
 	const std::uint8_t type = index.typeOfAll();
 	if (type == 0)
 	{

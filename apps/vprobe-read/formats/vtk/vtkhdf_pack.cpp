@@ -90,8 +90,8 @@ private:
 		using Id = typename Ids::ValueType;
 		const VtkHdfParts& parts = index_.parts();
 		const hdf5::Rows place_rows = index_.rowsOf("Points", index_.typeOfPoints(), parts.all_points, 3);
-		const hdf5::Rows number_rows = index_.rowsOf("vprobe/PointNumbers", NumberType::uint32, parts.all_points);
-		const hdf5::Rows cell_rows = index_.rowsOf("vprobe/CellNumbers", NumberType::uint32, parts.all_cells);
+		const hdf5::Rows number_rows = index_.rowsOf("own/PointNumbers", NumberType::uint32, parts.all_points);
+		const hdf5::Rows cell_rows = index_.rowsOf("own/CellNumbers", NumberType::uint32, parts.all_cells);
 		const hdf5::Rows id_rows = index_.rowsOf("Connectivity", NumberType::int32, parts.all_ids);
 
 		HugeVector<std::uint32_t> numbers(index_.parts().all_points), cell_numbers(index_.parts().all_cells);
@@ -270,10 +270,10 @@ private:
 
 } // namespace
 
-void readVtkHdfPack(const hdf5::File& file, const VtkHdfTime& time, const Request& request,
+void readVtkHdfPack(const hdf5::File& file, const VtkHdfPack& pack, const Request& request,
                     const WantsVtkHdfArray& wants, manifest::Writer& manifest)
 {
-	const PackIndex index(file, time, wants);
+	const PackIndex index(file, pack, wants);
 	const auto describe = [&](arrays::Writer& writer) { return describePlaces(index, file.name(), writer); };
 	if (request.wants_places && manifest.addPackInPlace(describe, index.facts(0, 0), index.farthest()))
 		return;

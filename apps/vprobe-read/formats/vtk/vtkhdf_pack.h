@@ -18,16 +18,18 @@ class Writer;
 namespace vp::reader::vtk
 {
 
-// Returns true if `vprobe pack` has written the file: an unstructured grid in parts that lie together in space
-// (convert/write_pack.cpp, docs/FORMATS.md).
-bool isVtkHdfPack(const hdf5::File& file);
-
-// The time that is read, among all times of a file.
-struct VtkHdfTime
+// A data set, and the time that is read of it.
+struct VtkHdfPack
 {
-	std::vector<std::size_t> steps; // of the file, in the order of their times; one if it has no times
-	std::size_t chosen = 0;         // among them
+	std::string root;                 // its group
+	std::string own;                  // the group of what `vprobe pack` has written beside it
+	std::vector<std::size_t> steps{}; // in the order of their times; one if it has no times
+	std::size_t chosen = 0;           // among them
 };
+
+// Returns true if `vprobe pack` has written the data set: an unstructured grid in parts that lie together in space
+// (convert/write_pack.cpp, docs/FORMATS.md).
+bool isVtkHdfPack(const hdf5::File& file, const VtkHdfPack& pack);
 
 // Says whether an array is wanted. association: "Point" or "Cell".
 using WantsVtkHdfArray = std::function<bool(const std::string& association, const std::string& name,
@@ -36,7 +38,7 @@ using WantsVtkHdfArray = std::function<bool(const std::string& association, cons
 // Reads a pack at a time as one grid, or hands over where its cells lie, if the parent wants them there and can read
 // them. Points
 // that several parts have become one again, in the order of the packed file. Throws a Refusal.
-void readVtkHdfPack(const hdf5::File& file, const VtkHdfTime& time, const Request& request,
+void readVtkHdfPack(const hdf5::File& file, const VtkHdfPack& pack, const Request& request,
                     const WantsVtkHdfArray& wants, manifest::Writer& manifest);
 
 } // namespace vp::reader::vtk

@@ -5,21 +5,26 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vp::reader::vtk
 {
 
-// Which values of a VTKHDF file belong to one time. After the specification of VTKHDF 2: all times lie behind each
-// other, and the group Steps says where each begins. Files without that group have one time.
+// Which values of a data set of VTKHDF belong to one time. After the specification of VTKHDF 2: all times lie behind
+// each other, and the group Steps says where each begins. Data sets without that group have one time.
 class VtkHdfStep
 {
 public:
-	// Throws a Refusal where the group is damaged.
-	static std::vector<double> timesOf(const hdf5::File& file);
+	// root: the group of the data set. Throws a Refusal where its steps are damaged.
+	static std::vector<double> timesOf(const hdf5::File& file, const std::string& root);
 
-	VtkHdfStep(const hdf5::File& file, std::optional<std::uint64_t> step) : file_(&file), step_(step) {}
+	VtkHdfStep(const hdf5::File& file, std::string root, std::optional<std::uint64_t> step)
+	    : file_(&file), root_(std::move(root)), step_(step)
+	{
+	}
 
+	const std::string& root() const { return root_; }
 	bool isOneOfSeveral() const { return step_.has_value(); }
 	std::uint64_t number() const { return step_.value_or(0); }
 	// An entry of a list in Steps; none where there is no such list.
@@ -32,6 +37,7 @@ public:
 
 private:
 	const hdf5::File* file_;
+	std::string root_;
 	std::optional<std::uint64_t> step_;
 };
 
@@ -48,7 +54,8 @@ struct VtkHdfParts
 	std::size_t count() const { return points.size(); }
 };
 
-// Numbers of parts as they are in a list of the file, from one part on, with their sum checked.
+// Numbers of parts as they are in a list of a data set, from one part on, with their sum checked.
+// list: its path in the file.
 std::vector<std::uint64_t> vtkHdfCounts(const hdf5::File& file, const std::string& list, std::uint64_t first,
                                         std::uint64_t count);
 // Their sum, up to before a part.
