@@ -1,4 +1,4 @@
-"""A pack of a grid that stands still holds the values of all its times."""
+"""A pack holds all times of a grid that stands still, and all its blocks."""
 import json
 import shutil
 import subprocess
@@ -72,6 +72,65 @@ def all_times_of_xdmf_are_packed(folder):
     vprobe('pack', path, '-o', pack, '--part', '64')
     for time in TIMES:
         same_figures(path, pack, [*CUTS[0], '--time', str(time)], folder)
+
+
+def several_blocks_are_packed_as_one_file(folder):
+    """Two blocks of cells with a common border, at each time. Their names and numbers are kept."""
+    meshio, h5py = need('meshio'), need('h5py')
+    lines = []
+    for step, time in enumerate(TIMES):
+        mesh = mesh_at(time)
+        for name, block in zip('ab', range(2)):
+            meshio.write(folder / f'{name}{step}.vtu',
+                         meshio.Mesh(mesh.points, [mesh.cells[block]], mesh.point_data,
+                                     {key: [values[block]] for key, values in mesh.cell_data.items()}))
+        (folder / f'both{step}.vtm').write_text(
+            '<VTKFile type="vtkMultiBlockDataSet" version="1.0"><vtkMultiBlockDataSet>' +
+            ''.join(f'<DataSet index="{i}" name="{name}" file="{file}{step}.vtu"/>'
+                    for i, (file, name) in enumerate((('a', 'outer/part'), ('b', 'outer.part')))) +
+            '</vtkMultiBlockDataSet></VTKFile>')
+        lines.append(f'<DataSet timestep="{time}" file="both{step}.vtm"/>')
+    path, pack = folder / 'both.pvd', folder / 'both.vtkhdf'
+    path.write_text('<VTKFile type="Collection" version="0.1"><Collection>' + ''.join(lines) + '</Collection></VTKFile>')
+    vprobe('pack', path, '-o', pack, '--part', '64')
+    for time in TIMES:
+        for cut in tried(CUTS[:5]):
+            same_figures(path, pack, [*cut, '--time', str(time)], folder)
+    for options in tried((['--crinkle'], ['--threshold', '20', '60'])):
+        same_figures(path, pack, options, folder)
+    assert polygons(pack, CUTS[0], folder / 'a.vtp') == polygons(path, CUTS[0], folder / 'b.vtp')
+    (wanted, _), (got, parts) = (swept(each, folder, '--normal', '1', '0', '0.2') for each in (path, pack))
+    for one, other in zip(wanted, got, strict=True):
+        assert all(map(same, (v for sheet in one[1:] for v in sheet.values()),
+                       (v for sheet in other[1:] for v in sheet.values()))), (one, other)
+    assert 0 < parts[-1]['bytes_read'] < 0.3 * parts[0]['bytes_read'], parts
+    one, other = info(path), info(pack)
+    for key in ('grid', 'bounds', 'times'):
+        assert one[key] == other[key], (key, one[key], other[key])
+    assert [block['name'] for block in other['blocks']] == ['outer_part', 'outer_part_2'], other['blocks']
+    # As VTKHDF 2.1 has collections.
+    with h5py.File(pack, 'r') as file:
+        root = file['VTKHDF']
+        assert root.attrs['Type'] == b'PartitionedDataSetCollection' and list(root.attrs['Version']) == [2, 1]
+        for number, name in enumerate(('outer_part', 'outer_part_2')):
+            assert root[name].attrs['Index'] == number and root[name].attrs['Type'] == b'UnstructuredGrid'
+            assert root['Assembly'][name] == root[name]
+    # One time of them, and again.
+    vprobe('pack', path, '-o', folder / 'one.vtkhdf', '--time', '0.5')
+    same_figures(folder / 'both1.vtm', folder / 'one.vtkhdf', CUTS[0], folder)
+    vprobe('pack', pack, '-o', folder / 'again.vtkhdf')
+    same_figures(path, folder / 'again.vtkhdf', [*CUTS[0], '--time', '#1'], folder)
+
+
+def blocks_of_exodus_are_packed(folder):
+    """Two blocks of elements."""
+    meshio = need('meshio')
+    need('netCDF4')
+    meshio.write(folder / 'mesh.e', mesh_at(0.5))
+    vprobe('pack', folder / 'mesh.e', '-o', folder / 'mesh.vtkhdf', '--part', '64')
+    assert len(info(folder / 'mesh.vtkhdf')['blocks']) == 2
+    for cut in tried(CUTS):
+        same_figures(folder / 'mesh.e', folder / 'mesh.vtkhdf', cut, folder)
 
 
 def swept(path, folder, *options):
@@ -183,5 +242,6 @@ def damaged_times_are_refused(folder):
             assert done.returncode == 2 and len(done.stderr.strip().splitlines()) == 1, (name, command, done)
 
 
-CASES = [all_times_are_those_of_the_input, all_times_of_xdmf_are_packed, a_time_reads_the_values_of_what_is_cut,
+CASES = [all_times_are_those_of_the_input, all_times_of_xdmf_are_packed, several_blocks_are_packed_as_one_file,
+         blocks_of_exodus_are_packed, a_time_reads_the_values_of_what_is_cut,
          steps_follow_the_specification, grids_that_move_are_refused, damaged_times_are_refused]

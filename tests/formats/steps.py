@@ -347,10 +347,64 @@ def vtkhdf_grids(folder):
         with h5py.File(folder / 'bad.vtkhdf', 'a') as file:
             file['VTKHDF/' + name][place] = number
         damaged(folder / 'bad.vtkhdf', 'damaged')
-    for kind in ('OverlappingAMR', 'PartitionedDataSetCollection', 'PolyData'):
+    for kind, words in (('OverlappingAMR', 'OverlappingAMR'), ('PolyData', 'poly'),
+                        ('PartitionedDataSetCollection', 'without image data and unstructured grids')):
         new('other.vtkhdf', kind).file.close()
         done = subprocess.run([VPROBE, 'info', folder / 'other.vtkhdf'], capture_output=True, encoding='utf-8')
-        assert done.returncode == 2 and ('poly' if kind == 'PolyData' else kind) in done.stderr, done
+        assert done.returncode == 2 and words in done.stderr, done
+
+
+def vtkhdf_collections(folder):
+    """A unit cube of one hexahedron, and beside it an image, at two times."""
+    h5py, numpy = need('h5py'), need('numpy')
+    corners = numpy.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1.0]])
+    path = folder / 'both.vtkhdf'
+
+    def steps_of(root, name, offsets, times=(2.0, 4.0), **lists):
+        steps = root.create_group('Steps')
+        steps.attrs['NSteps'] = 2
+        steps['Values'] = times
+        steps[f'PointDataOffsets/{name}'] = offsets
+        for key, values in lists.items():
+            steps[key] = values
+
+    def write(kind, times=(2.0, 4.0)):
+        with h5py.File(path, 'w') as file:
+            top = file.create_group('VTKHDF')
+            top.attrs['Version'], top.attrs['Type'] = (2, 1), kind
+            cube, image = top.create_group('a cube'), top.create_group('Image')
+            for number, (root, type_of) in enumerate(((cube, 'UnstructuredGrid'), (image, 'ImageData'))):
+                root.attrs['Version'], root.attrs['Type'], root.attrs['Index'] = (2, 1), type_of, 1 - number
+            for name, numbers in {'NumberOfPoints': [8], 'NumberOfCells': [1], 'NumberOfConnectivityIds': [8],
+                                  'Connectivity': list(range(8)), 'Offsets': [0, 8]}.items():
+                cube[name] = numpy.array(numbers)
+            cube['Types'], cube['Points'] = numpy.array([12], dtype='u1'), corners
+            cube['PointData/f'] = numpy.concatenate([corners[:, 2], 5 + corners[:, 2]])
+            steps_of(cube, 'f', [0, 8], PartOffsets=[0, 0], NumberOfParts=[1, 1], PointOffsets=[0, 0],
+                     CellOffsets=[0, 0], ConnectivityIdOffsets=[0, 0])
+            image.attrs['WholeExtent'] = (0, 2, 0, 1, 0, 1)
+            image.attrs['Origin'], image.attrs['Spacing'] = (1.0, 0.0, 0.0), (1.0, 1.0, 1.0)
+            image.attrs['Direction'] = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
+            z = numpy.mgrid[0:2, 0:2, 0:3][0].astype(float)
+            image['PointData/f'] = numpy.stack([z, 5 + z])
+            steps_of(image, 'f', [0, 1], times)
+            tree = top.create_group('Assembly')
+            tree['all/a cube'] = h5py.SoftLink('/VTKHDF/a cube')
+            tree['all/Image'] = h5py.SoftLink('/VTKHDF/Image')
+
+    for kind in ('PartitionedDataSetCollection', 'MultiBlockDataSet'):
+        write(kind)
+        told = info(path)
+        assert [block['name'] for block in told['blocks']] == ['Image', 'a cube'] and told['times'] == [2, 4], told
+        plane = ('--normal', '0', '0', '1', '--origin', '0', '0', '0.25')
+        for time, mean in (('2', 0.25), ('last', 5.25)):
+            sheet = cut(path, 'f', *plane, '--time', time)
+            assert near(sheet['area'], 3) and near(sheet['mean'], mean) and sheet['components'] == 1, sheet
+    write('MultiBlockDataSet', times=(2.0, 3.0))
+    refused(path, 'different times')
+    with h5py.File(path, 'r+') as file:
+        del file['VTKHDF/Image']
+    assert near(cut(path, 'f', *plane)['area'], 1)  # a link leads nowhere
 
 
 def vtkhdf_images(folder):
@@ -468,4 +522,4 @@ def turned_axes(folder):
     assert near(cut(path, None, '--normal', '0', '0', '1', '--origin', '0', '0', '1')['mean'], values[z == 2].mean())
 
 
-CASES = [vtk_times, empty_pieces, polyhedra_of_vtk94, vtkhdf_grids, vtkhdf_images, xdmf_entities, turned_axes]
+CASES = [vtk_times, empty_pieces, polyhedra_of_vtk94, vtkhdf_grids, vtkhdf_collections, vtkhdf_images, xdmf_entities, turned_axes]

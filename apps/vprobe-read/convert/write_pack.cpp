@@ -21,7 +21,6 @@
 #include <array>
 #include <deque>
 #include <functional>
-#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -282,36 +281,45 @@ private:
 	std::vector<PackedArray> arrays_;
 };
 
+vtkUnstructuredGrid* gridOf(const KeptBlock& block)
+{
+	constexpr vtkIdType most = 0xFFFFFFFF;
+	auto* grid = vtkUnstructuredGrid::SafeDownCast(block.data);
+	if (grid->GetNumberOfPoints() > most || grid->GetNumberOfCells() > most)
+		throw Refusal("has more than 4 294 967 295 points or cells; pack it in several files");
+	return grid;
+}
+
+void writeKind(hid_t group, int major, int minor, const char* type)
+{
+	writeAttribute(group, "Version", H5T_NATIVE_INT64, std::array<std::int64_t, 2>{major, minor});
+	writeType(group, type);
+}
+
 // Several blocks become a collection: a group for each, and a tree of links that names them.
 std::deque<PackWriter> writersOf(const std::vector<KeptBlock>& blocks, const TimesToPack& times, hid_t file,
                                  std::size_t cells_of_part, int threads)
 {
-	constexpr vtkIdType most = 0xFFFFFFFF;
-	const bool are_several = blocks.size() > 1;
-	const std::array<std::int64_t, 2> version = {times.times.size() > 1 || are_several ? 2 : 1, are_several ? 1 : 0};
 	Handle root = groupInOrder(file, "VTKHDF");
 	Handle own = groupInOrder(file, "vprobe");
-	writeAttribute(root, "Version", H5T_NATIVE_INT64, version);
-	writeType(root, are_several ? "PartitionedDataSetCollection" : "UnstructuredGrid");
-	const auto tree = are_several ? std::optional(groupInOrder(root, "Assembly")) : std::nullopt;
 	std::deque<PackWriter> writers;
+	if (blocks.size() == 1)
+	{
+		writeKind(root, times.times.size() > 1 ? 2 : 1, 0, "UnstructuredGrid");
+		writers.emplace_back(gridOf(blocks[0]), times, cells_of_part, threads, std::move(root), std::move(own));
+		return writers;
+	}
+	writeKind(root, 2, 1, "PartitionedDataSetCollection");
+	const Handle tree = groupInOrder(root, "Assembly");
 	for (const KeptBlock& block : blocks)
 	{
-		auto* grid = vtkUnstructuredGrid::SafeDownCast(block.data);
-		if (grid->GetNumberOfPoints() > most || grid->GetNumberOfCells() > most)
-			throw Refusal("has more than 4 294 967 295 points or cells; pack it in several files");
-		if (!are_several)
-		{
-			writers.emplace_back(grid, times, cells_of_part, threads, std::move(root), std::move(own));
-			break;
-		}
 		const std::string name = nameInGroup(root, block.name.empty() ? "block" : block.name);
 		Handle of_block = groupInOrder(root, name.c_str());
-		writeAttribute(of_block, "Version", H5T_NATIVE_INT64, version);
-		writeType(of_block, "UnstructuredGrid");
+		writeKind(of_block, 2, 1, "UnstructuredGrid");
 		writeAttribute(of_block, "Index", H5T_NATIVE_INT64, std::array{static_cast<std::int64_t>(writers.size())});
-		checked(H5Lcreate_soft(("/VTKHDF/" + name).c_str(), *tree, name.c_str(), H5P_DEFAULT, H5P_DEFAULT));
-		writers.emplace_back(grid, times, cells_of_part, threads, std::move(of_block), groupInOrder(own, name.c_str()));
+		checked(H5Lcreate_soft(("/VTKHDF/" + name).c_str(), tree, name.c_str(), H5P_DEFAULT, H5P_DEFAULT));
+		writers.emplace_back(gridOf(block), times, cells_of_part, threads, std::move(of_block),
+		                     groupInOrder(own, name.c_str()));
 	}
 	return writers;
 }
