@@ -107,7 +107,7 @@ def several_blocks_are_packed_as_one_file(folder):
     one, other = info(path), info(pack)
     for key in ('grid', 'bounds', 'times'):
         assert one[key] == other[key], (key, one[key], other[key])
-    assert [block['name'] for block in other['blocks']] == ['outer_part', 'outer_part_2'], other['blocks']
+    assert [block['name'] for block in other['blocks']] == ['both: outer_part', 'both: outer_part_2'], other['blocks']
     # As VTKHDF 2.1 has collections.
     with h5py.File(pack, 'r') as file:
         root = file['VTKHDF']

@@ -395,7 +395,7 @@ def vtkhdf_collections(folder):
     for kind in ('PartitionedDataSetCollection', 'MultiBlockDataSet'):
         write(kind)
         told = info(path)
-        assert [block['name'] for block in told['blocks']] == ['Image', 'a cube'] and told['times'] == [2, 4], told
+        assert [block['name'] for block in told['blocks']] == ['both: Image', 'both: a cube'] and told['times'] == [2, 4], told
         plane = ('--normal', '0', '0', '1', '--origin', '0', '0', '0.25')
         for time, mean in (('2', 0.25), ('last', 5.25)):
             sheet = cut(path, 'f', *plane, '--time', time)

@@ -199,7 +199,9 @@ void PackDivision::choosePoints()
 		            {
 			            // For each point the last part that was seen to have it, plus 1.
 			            thread_local std::vector<std::uint32_t> last_part;
-			            last_part.resize(static_cast<std::size_t>(grid_->GetNumberOfPoints()));
+			            thread_local const PackDivision* division = nullptr; // whose points these are
+			            if (std::exchange(division, this) != this)
+				            last_part.assign(static_cast<std::size_t>(grid_->GetNumberOfPoints()), 0);
 			            const std::span<const std::uint32_t> cells = this->cells(part);
 			            runs_[part].resize((cells.size() + cells_of_run_ - 1) / cells_of_run_);
 			            for (std::size_t c = 0; c < cells.size(); ++c)
