@@ -317,10 +317,11 @@ void PackedCells::takeTypes(const Piece& piece) const
 		std::fill_n(types + 1, piece.cells - 1, contents_.type);
 		return;
 	}
-	const Part& part = parts_[runs()[piece.first_run].part];
+	const std::uint32_t number = runs()[piece.first_run].part;
+	const std::uint64_t first_end = contents_.first_ends[number] + (piece.first_cell - parts_[number].first_cell);
 	readRows(contents_.types, piece.first_cell, piece.cells, types);
-	std::vector<std::int32_t> ends(piece.cells + 1); // a part of the list has one more than cells
-	readRows(contents_.ends, part.first_end + (piece.first_cell - part.first_cell), ends.size(), ends.data());
+	std::vector<std::int32_t> ends(piece.cells + 1);
+	readRows(contents_.ends, first_end, ends.size(), ends.data());
 	auto* starts = ends_->as<std::int64_t>() + piece.first_cell;
 	std::uint64_t sum = 0;
 	for (std::size_t c = 0; c < piece.cells; ++c)
@@ -377,13 +378,14 @@ void PackedCells::takeIds(std::uint32_t number) const
 	const Run& run = runs()[number];
 	const std::span<const std::uint32_t> points = pointsOf(run.part);
 	const std::span<std::int32_t> ids(id_memory_->as<std::int32_t>() + first_ids_[number], contents_.run_ids[number]);
-	std::uint32_t largest = 0; // a negative id becomes a large number
+	const auto first = static_cast<std::uint32_t>(contents_.first_ids[run.part]);
+	std::uint32_t largest = 0; // an id below the first becomes a large number
 	for (const std::int32_t id : ids)
-		largest = std::max(largest, static_cast<std::uint32_t>(id));
+		largest = std::max(largest, static_cast<std::uint32_t>(id) - first);
 	if (largest >= points.size())
 		throw damaged(*contents_.file, "a cell has a point that is not there");
 	for (std::int32_t& id : ids)
-		id = static_cast<std::int32_t>(points[static_cast<std::size_t>(id)]);
+		id = static_cast<std::int32_t>(points[static_cast<std::uint32_t>(id) - first]);
 	if (contents_.places.row_bytes == 3 * sizeof(double) ? liesOutside(ids, places_->as<double>(), run.box)
 	                                                     : liesOutside(ids, places_->as<float>(), run.box))
 		throw damaged(*contents_.file, "a point lies outside the box of its cells; pack the file again");

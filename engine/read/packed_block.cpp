@@ -111,6 +111,8 @@ void takePackedBlock(const json& block, const SharedBytes& arrays, const Readabl
 	                               .run_ids = countsOf(arrays, runs.at("ids")),
 	                               .all_cells = countsOf(arrays, block.at("part_cells")),
 	                               .points = countsOf(arrays, block.at("part_points")),
+	                               .first_ids = countsOf(arrays, block.at("part_first_ids")),
+	                               .first_ends = countsOf(arrays, block.at("part_first_ends")),
 	                               .all_points = countOf(block.at("pack").at("points"))};
 	const std::uint64_t type = countOf(block.at("type"));
 	if (type > std::numeric_limits<std::uint8_t>::max())

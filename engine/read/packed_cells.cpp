@@ -55,8 +55,8 @@ void PackedCells::check()
 	const std::size_t parts = contents_.points.size();
 	const auto size = static_cast<std::uint64_t>(slicedCellSize(contents_.type));
 	if (runs().empty() || contents_.run_ids.size() != runs().size() || contents_.all_cells.size() != parts ||
-	    contents_.all_points == 0 || contents_.all_points > std::numeric_limits<std::int32_t>::max() ||
-	    (isAlike() && size == 0))
+	    contents_.first_ids.size() != parts || contents_.first_ends.size() != parts || contents_.all_points == 0 ||
+	    contents_.all_points > std::numeric_limits<std::int32_t>::max() || (isAlike() && size == 0))
 		throw Unusable("the lists of its parts do not match");
 	const std::uint64_t points = sumOf(contents_.points, kMaxOfRun);
 	const std::uint64_t rows = sumOf(contents_.all_cells, kMaxRows);
@@ -64,7 +64,9 @@ void PackedCells::check()
 	std::uint64_t first_point = 0, first_cell = 0;
 	for (std::size_t p = 0; p < parts; ++p)
 	{
-		parts_.push_back({first_point, contents_.points[p], first_cell + p, first_cell});
+		if (contents_.first_ids[p] > kMaxOfRun || contents_.first_ends[p] > kMaxRows)
+			throw Unusable("a part has ids that cannot be");
+		parts_.push_back({first_point, contents_.points[p], first_cell});
 		first_point += contents_.points[p];
 		first_cell += contents_.all_cells[p];
 	}
@@ -98,7 +100,8 @@ void PackedCells::check()
 	if (!isAlike())
 	{
 		fit(contents_.types, rows);
-		fit(contents_.ends, rows + parts);
+		for (std::size_t p = 0; p < parts; ++p)
+			fit(contents_.ends, contents_.first_ends[p] + contents_.all_cells[p] + 1);
 	}
 	rows_of_cells_ = {contents_.places.row_bytes + contents_.point_numbers.row_bytes,
 	                  isAlike() ? 0 : contents_.types.row_bytes + contents_.ends.row_bytes, contents_.ids.row_bytes};

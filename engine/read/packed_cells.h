@@ -51,17 +51,18 @@ public:
 		std::vector<Run> runs{};                // with ascending parts
 		std::vector<std::uint64_t> run_ids{};   // point ids in each run
 		std::vector<std::uint64_t> all_cells{}; // for each part, with those that have no run
-		std::vector<std::uint64_t> points{};    // for each part
-		std::uint64_t all_points = 0;           // those of several parts count once
-		std::uint8_t type = 0;                  // that all cells have; 0 if they have several
-		List places{};                          // three floats or doubles a point
-		List point_numbers{};                   // uint32: in the whole
-		List ids{};                             // int32: among the points of the part
-		std::uint64_t cell_numbers = 0;         // offset; uint32: in the file that was packed
-		List types{};                           // uint8; only if cells have several types
-		List ends{};                            // int32, likewise: a part has one more than cells
-		std::vector<ArrayLists> arrays{};       // all with as many times
-		std::size_t time = 0;                   // whose values are wanted
+		// For each part its points, the id with which they begin, and the row in the list of ends where it begins.
+		std::vector<std::uint64_t> points{}, first_ids{}, first_ends{};
+		std::uint64_t all_points = 0;     // those of several parts count once
+		std::uint8_t type = 0;            // that all cells have; 0 if they have several
+		List places{};                    // three floats or doubles a point
+		List point_numbers{};             // uint32: in the whole
+		List ids{};                       // int32: of points of the part
+		std::uint64_t cell_numbers = 0;   // offset; uint32: in the file that was packed
+		List types{};                     // uint8; only if cells have several types
+		List ends{};                      // int32, likewise: one more than cells
+		std::vector<ArrayLists> arrays{}; // all with as many times
+		std::size_t time = 0;             // whose values are wanted
 	};
 
 	// Throws Unusable if the lists cannot be, or do not lie in the file.
@@ -89,7 +90,6 @@ private:
 	{
 		std::uint64_t first_point = 0;
 		std::uint64_t points = 0;
-		std::uint64_t first_end = 0; // row in the list of ends of the part's first cell
 		std::uint64_t first_cell = 0;
 	};
 	// Runs that follow each other in a part.

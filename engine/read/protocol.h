@@ -68,8 +68,8 @@ namespace vp::read
 //
 // With PARTS "places", the block of a pack whose lists lie in the file as they are in memory is of kind "packed". It
 // has "file", "type" of all cells or 0, "type_of_points", "runs": {"boxes": array of float64, lo and hi of each, and as
-// arrays of uint64 "cells", "ids", "parts"}, and for each part as arrays of uint64 "part_cells" and "part_points". What
-// else it would have stays in the file: "lists" has the offsets of "points", "point_numbers", "ids", "cell_numbers",
+// arrays of uint64 "cells", "ids", "parts"}, and for each part as arrays of uint64 "part_cells", "part_points", "part_first_ids",
+// with which the ids of its points begin, and "part_first_ends", its first row in "ends". What else it would have stays in the file: "lists" has the offsets of "points", "point_numbers", "ids", "cell_numbers",
 // and of "types" and "ends" where "type" is 0 (docs/FORMATS.md); each of the "arrays" has "times" and no "bytes": for
 // each time of the file an "offset" and "facts"; "time" is the index of the one that was asked for; and "pack" has no
 // "numbers". Other files are read as if PARTS was empty.

@@ -15,19 +15,30 @@ namespace vp::reader::convert
 namespace
 {
 
-void writeCounts(const PackDivision& division, hid_t root)
+void writeCounts(const PackPartitions& partitions, hid_t root)
 {
-	std::vector<std::int64_t> points, cells, ids;
+	const auto write = [&](const char* name, std::int64_t PackPartitions::Counts::*count)
+	{
+		std::vector<std::int64_t> counts;
+		for (const PackPartitions::Counts& partition : partitions.partitions())
+			counts.push_back(partition.*count);
+		writeValues(root, name, H5T_NATIVE_INT64, {counts.size()}, counts.data());
+	};
+	write("NumberOfPoints", &PackPartitions::Counts::points);
+	write("NumberOfCells", &PackPartitions::Counts::cells);
+	write("NumberOfConnectivityIds", &PackPartitions::Counts::ids);
+}
+
+void writeParts(const PackDivision& division, hid_t own)
+{
+	std::vector<std::int64_t> points, cells;
 	for (std::size_t part = 0; part < division.parts(); ++part)
 	{
 		points.push_back(static_cast<std::int64_t>(division.points(part).size()));
 		cells.push_back(static_cast<std::int64_t>(division.cells(part).size()));
-		ids.push_back(static_cast<std::int64_t>(division.ids(part)));
 	}
-	const std::vector<hsize_t> sides = {points.size()};
-	writeValues(root, "NumberOfPoints", H5T_NATIVE_INT64, sides, points.data());
-	writeValues(root, "NumberOfCells", H5T_NATIVE_INT64, sides, cells.data());
-	writeValues(root, "NumberOfConnectivityIds", H5T_NATIVE_INT64, sides, ids.data());
+	writeValues(own, "PartPoints", H5T_NATIVE_INT64, {points.size()}, points.data());
+	writeValues(own, "PartCells", H5T_NATIVE_INT64, {cells.size()}, cells.data());
 }
 
 vtkIdType pointsOfNoCell(vtkUnstructuredGrid* grid, const PackDivision& division)
@@ -76,7 +87,8 @@ void writeFarthestPoints(vtkUnstructuredGrid* grid, const PackDivision& division
 
 } // namespace
 
-void writePackHead(vtkUnstructuredGrid* grid, const PackDivision& division, hid_t root, hid_t own)
+void writePackHead(vtkUnstructuredGrid* grid, const PackDivision& division, const PackPartitions& partitions,
+                   hid_t root, hid_t own)
 {
 	const auto count = [](vtkIdType number) { return std::array<std::int64_t, 1>{number}; };
 	writeAttribute(own, "NumberOfPoints", H5T_NATIVE_INT64, count(grid->GetNumberOfPoints()));
@@ -90,7 +102,8 @@ void writePackHead(vtkUnstructuredGrid* grid, const PackDivision& division, hid_
 	const std::span<const std::uint8_t> types = division.types();
 	if (std::ranges::all_of(types, [&](std::uint8_t type) { return type == types[0]; }))
 		writeAttribute(own, "CellType", H5T_NATIVE_INT64, count(types[0]));
-	writeCounts(division, root);
+	writeCounts(partitions, root);
+	writeParts(division, own);
 	writeRuns(division, own);
 	writeFarthestPoints(grid, division, own);
 }

@@ -60,7 +60,7 @@ public:
 	PackWriter(vtkUnstructuredGrid* grid, const TimesToPack& times, std::size_t most_cells, int threads, Handle root,
 	           Handle own)
 	    : grid_(grid), places_(grid->GetPoints()->GetData()), root_(std::move(root)), own_(std::move(own)),
-	      times_(grid, times), division_(grid, most_cells, threads)
+	      times_(grid, times), division_(grid, most_cells, threads), partitions_(division_)
 	{
 	}
 
@@ -68,7 +68,7 @@ public:
 	void writeGrid()
 	{
 		writeAttribute(own_, "Version", H5T_NATIVE_INT64, std::array<std::int64_t, 2>{times_.areSeveral() ? 2 : 1, 0});
-		writePackHead(grid_, division_, root_, own_);
+		writePackHead(grid_, division_, partitions_, root_, own_);
 		addCells(root_, own_);
 		addArrays(root_, "PointData", grid_->GetPointData(), true);
 		addArrays(root_, "CellData", grid_->GetCellData(), false);
@@ -129,7 +129,7 @@ private:
 		    [this](std::size_t part, Bytes& to) { gatherPlaces(part, to); });
 		add(root, "Connectivity", H5T_NATIVE_INT32, {ids},
 		    [this](std::size_t part, Bytes& to) { gatherIds(part, to); });
-		add(root, "Offsets", H5T_NATIVE_INT32, {division_.types().size() + division_.parts()},
+		add(root, "Offsets", H5T_NATIVE_INT32, {division_.types().size() + partitions_.partitions().size()},
 		    [this](std::size_t part, Bytes& to) { gatherOffsets(part, to); });
 		add(root, "Types", H5T_NATIVE_UINT8, {division_.types().size()},
 		    [this](std::size_t part, Bytes& to)
@@ -164,10 +164,11 @@ private:
 
 	void gatherIds(std::size_t part, Bytes& to) const
 	{
-		thread_local std::vector<std::int32_t> within; // the place of a point in its part
+		thread_local std::vector<std::int32_t> within; // the place of a point in its partition
 		within.resize(static_cast<std::size_t>(grid_->GetNumberOfPoints()));
 		for (std::size_t p = 0; p < division_.points(part).size(); ++p)
-			within[division_.points(part)[p]] = static_cast<std::int32_t>(p);
+			within[division_.points(part)[p]] =
+			    static_cast<std::int32_t>(partitions_.before(part).points) + static_cast<std::int32_t>(p);
 		division_.withLists(
 		    [&](const auto* offsets, const auto* ids)
 		    {
@@ -179,8 +180,9 @@ private:
 
 	void gatherOffsets(std::size_t part, Bytes& to) const
 	{
-		std::int32_t end = 0;
-		put(&end, sizeof(end), to);
+		auto end = static_cast<std::int32_t>(partitions_.before(part).ids);
+		if (partitions_.before(part).cells == 0)
+			put(&end, sizeof(end), to);
 		division_.withLists(
 		    [&](const auto* offsets, const auto*)
 		    {
@@ -230,7 +232,7 @@ private:
 				list.push_back(static_cast<std::int64_t>(first + time * step));
 			writeValues(group, name, H5T_NATIVE_INT64, {count}, list.data());
 		};
-		writeList(steps, "NumberOfParts", division_.parts(), 0);
+		writeList(steps, "NumberOfParts", partitions_.partitions().size(), 0);
 		for (const char* same : {"PartOffsets", "PointOffsets", "CellOffsets", "ConnectivityIdOffsets"})
 			writeList(steps, same, 0, 0);
 		const Handle of_points = groupInOrder(steps, "PointDataOffsets");
@@ -276,6 +278,7 @@ private:
 	Handle root_, own_;
 	PackTimes times_;
 	PackDivision division_;
+	PackPartitions partitions_;
 	std::deque<RowWriter> lists_;
 	std::deque<Column> columns_; // lists of points and cells
 	std::vector<PackedArray> arrays_;

@@ -14,7 +14,7 @@ namespace vp::app
 namespace
 {
 
-constexpr int kUsualPart = 4096;
+constexpr int kUsualPart = 1024;
 
 struct PackOptions
 {

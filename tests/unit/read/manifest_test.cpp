@@ -219,6 +219,8 @@ Made makePlacedPack(const std::string& file)
 	                 {"parts", counts(0)}};
 	block["part_cells"] = counts(1);
 	block["part_points"] = counts(4);
+	block["part_first_ids"] = counts(0);
+	block["part_first_ends"] = counts(0);
 	block["lists"] = {{"points", 0}, {"point_numbers", 8}, {"ids", 16}, {"cell_numbers", 24}};
 	block["arrays"] = json::array({array});
 	block["pack"] = {

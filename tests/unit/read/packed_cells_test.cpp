@@ -55,6 +55,8 @@ struct TwoParts
 		contents.run_ids = {4, 4};
 		contents.all_cells = {1, 1};
 		contents.points = {4, 4};
+		contents.first_ids = {0, 0};
+		contents.first_ends = {0, 2};
 		contents.all_points = 5;
 		contents.type = type;
 		contents.places = list(places, 3);
@@ -213,6 +215,9 @@ TEST(PackedCells, ThatContradictThemselvesAreRefused)
 		    c.all_cells = {0, 1};
 	    },
 	    [](auto& c) { c.points[1] = std::uint64_t(1) << 40; },
+	    [](auto& c) { c.first_ids[1] = std::uint64_t(1) << 40; },
+	    [](auto& c) { c.first_ids.pop_back(); },
+	    [](auto& c) { c.first_ends = {0}; },
 	    [](auto& c) { c.points[1] = 60; },
 	    [](auto& c) { c.all_points = 0; },
 	    [](auto& c) { c.all_points = std::uint64_t(1) << 33; },

@@ -30,11 +30,11 @@ void refusePlacesOutside(std::span<const std::int32_t> ids, const Number* places
 
 } // namespace
 
-void refuseWrongIds(std::span<const std::int32_t> ids, std::size_t points)
+void refuseWrongIds(std::span<const std::int32_t> ids, std::uint64_t first, std::size_t points)
 {
-	std::uint32_t largest = 0; // a negative id becomes a large number
+	std::uint32_t largest = 0; // an id below the first becomes a large number
 	for (const std::int32_t id : ids)
-		largest = std::max(largest, static_cast<std::uint32_t>(id));
+		largest = std::max(largest, static_cast<std::uint32_t>(id) - static_cast<std::uint32_t>(first));
 	if (!ids.empty() && largest >= points)
 		throw damaged("a cell has a point that is not there");
 }

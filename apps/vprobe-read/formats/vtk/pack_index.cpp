@@ -41,8 +41,8 @@ bool isVtkHdfPack(const hdf5::File& file, const VtkHdfPack& pack)
 PackIndex::PackIndex(const hdf5::File& file, const VtkHdfPack& pack, const WantsVtkHdfArray& wants)
     : file_(file), root_(pack.root), own_(pack.own), steps_(pack.steps), time_(pack.chosen),
       descriptor_(open(file.name().c_str(), O_RDONLY | O_CLOEXEC)),
-      parts_(file,
-             VtkHdfStep(file, root_, file.has(root_ + "/Steps") ? std::optional<std::uint64_t>(0) : std::nullopt)),
+      partitions_(file,
+                  VtkHdfStep(file, root_, file.has(root_ + "/Steps") ? std::optional<std::uint64_t>(0) : std::nullopt)),
       all_points_(countOf("NumberOfPoints")), all_cells_(countOf("NumberOfCells"))
 {
 	if (descriptor_ < 0)
@@ -50,6 +50,7 @@ PackIndex::PackIndex(const hdf5::File& file, const VtkHdfPack& pack, const Wants
 	if (const double version = file.realOr(own_, "Version", 1.0); version >= 3.0)
 		throw Refusal(
 		    fmt::format("a pack of version {}; install a newer vprobe, or pack it again with this one", version));
+	listParts();
 	const std::uint64_t lone_points = checkedCount(file_.realOr(own_, "PointsOfNoCell", 0.0), "PointsOfNoCell");
 	if (all_points_ > parts_.all_points + lone_points || all_cells_ != parts_.all_cells)
 		throw damaged("its parts do not make up the whole");
@@ -93,7 +94,7 @@ void PackIndex::refuseMovingGrid() const
 		if (!file_.isSet(path))
 			continue;
 		const bool is_count = list == std::string_view("NumberOfParts");
-		const auto wanted = static_cast<std::int64_t>(is_count ? parts_.count() : 0);
+		const auto wanted = static_cast<std::int64_t>(is_count ? partitions_.count() : 0);
 		const std::vector<std::int64_t> numbers = file_.integersFrom(path, 0, times());
 		if (std::ranges::any_of(numbers, [wanted](std::int64_t number) { return number != wanted; }))
 			throw damaged("its times have other parts than the whole");
@@ -131,6 +132,42 @@ std::vector<Row> PackIndex::allRows(const std::string& name, NumberType type, st
 	return values;
 }
 
+// Parts follow each other in the partitions of VTKHDF. Where the file does not list them, each partition is one.
+void PackIndex::listParts()
+{
+	parts_.all_points = partitions_.all_points;
+	parts_.all_cells = partitions_.all_cells;
+	parts_.all_ids = partitions_.all_ids;
+	parts_.all_ends = partitions_.all_cells + partitions_.count(); // a partition has one more than cells
+	parts_.points = partitions_.points;
+	parts_.cells = partitions_.cells;
+	if (const std::string list = own_ + "/PartPoints"; file_.isSet(list))
+	{
+		const std::vector<std::uint64_t> sides = file_.sidesOf(list);
+		const std::uint64_t count = sides.empty() ? 0 : sides[0];
+		parts_.points = vtkHdfCounts(file_, list, 0, count);
+		parts_.cells = vtkHdfCounts(file_, own_ + "/PartCells", 0, count);
+	}
+	std::uint64_t points = 0, cells = 0; // before the part, in its partition
+	std::size_t partition = 0;
+	std::uint64_t first_cell = 0;
+	for (std::size_t part = 0; part < parts_.count() && partition < partitions_.count(); ++part)
+	{
+		parts_.first_ids.push_back(points);
+		parts_.first_cells.push_back(first_cell);
+		parts_.first_ends.push_back(first_cell + partition);
+		points += parts_.points[part];
+		cells += parts_.cells[part];
+		first_cell += parts_.cells[part];
+		if (points != partitions_.points[partition] || cells != partitions_.cells[partition])
+			continue;
+		points = cells = 0;
+		++partition;
+	}
+	if (partition < partitions_.count() || points + cells > 0 || parts_.first_ids.size() != parts_.count())
+		throw damaged("its parts do not make up its partitions");
+}
+
 void PackIndex::listRuns()
 {
 	const std::uint64_t cells_of_run = countOf("CellsOfRun");
@@ -141,10 +178,9 @@ void PackIndex::listRuns()
 		count += (cells + cells_of_run - 1) / cells_of_run;
 	const auto ids = allRows<std::uint32_t>("NumberOfConnectivityIds", NumberType::uint32, count);
 	boxes_ = allRows<std::array<double, 6>>("Boxes", NumberType::float64, count);
-	std::uint64_t first_cell = 0, first_id = 0, end_of_part = 0;
-	for (std::size_t part = 0; part < parts_.count(); ++part)
+	std::uint64_t first_cell = 0, first_id = 0, end_of_partition = 0;
+	for (std::size_t part = 0, partition = 0; part < parts_.count(); ++part)
 	{
-		end_of_part += parts_.ids[part];
 		for (std::uint64_t left = parts_.cells[part]; left > 0;)
 		{
 			const std::uint64_t cells = std::min(left, cells_of_run);
@@ -153,7 +189,8 @@ void PackIndex::listRuns()
 			first_cell += cells;
 			first_id += runs_.back().ids;
 		}
-		if (first_id != end_of_part)
+		const bool is_last = part + 1 == parts_.count() || parts_.first_ids[part + 1] == 0;
+		if (is_last && first_id != (end_of_partition += partitions_.ids[partition++]))
 			throw damaged("the runs of a part do not make up the part");
 	}
 	if (runs_.empty())

@@ -32,6 +32,17 @@ struct PackedValues
 	std::uint64_t changes_to_next = 0;
 };
 
+// The parts of a pack, a number for each.
+struct PackParts
+{
+	std::vector<std::uint64_t> points, cells;
+	std::vector<std::uint64_t> first_ids;               // with which the ids of its points begin
+	std::vector<std::uint64_t> first_cells, first_ends; // where it begins in the lists of cells, and in Offsets
+	std::uint64_t all_points = 0, all_cells = 0, all_ids = 0, all_ends = 0;
+
+	std::size_t count() const { return points.size(); }
+};
+
 struct PackedArray
 {
 	std::string association; // "Point" or "Cell"
@@ -60,7 +71,7 @@ public:
 	const std::vector<std::array<double, 3>>& farthest() const { return farthest_; }
 	// Returns the type of all cells, or 0 if they have several, or another number of points than it should have.
 	std::uint8_t typeOfAll() const;
-	const VtkHdfParts& parts() const { return parts_; }
+	const PackParts& parts() const { return parts_; }
 
 	// Returns a list of VTKHDF ("Points"), or one of ours ("own/PointNumbers"), that has so many rows.
 	hdf5::Rows rowsOf(const std::string& list, grid::NumberType type, std::uint64_t rows,
@@ -68,8 +79,7 @@ public:
 	// Returns the values of an array at a time, which has a number from 0.
 	hdf5::Rows rowsOf(const PackedArray& array, std::size_t time) const;
 	std::size_t times() const { return steps_.size(); }
-	std::size_t time() const { return time_; }                                   // the one that was asked for
-	std::uint64_t endCount() const { return parts_.all_cells + parts_.count(); } // a part has one more than cells
+	std::size_t time() const { return time_; } // the one that was asked for
 	grid::NumberType typeOfPoints() const;
 
 	// Returns the "pack" of its block (protocol.h), with what manifest::Writer::addPack() wants beside it.
@@ -78,6 +88,7 @@ public:
 private:
 	template <class Row>
 	std::vector<Row> allRows(const std::string& name, grid::NumberType type, std::uint64_t size) const;
+	void listParts();
 	void listRuns();
 	void listFarthest();
 	void refuseMovingGrid() const;
@@ -92,7 +103,8 @@ private:
 	std::vector<std::size_t> steps_; // of the file, in the order of their times
 	std::size_t time_;               // among them
 	int descriptor_;
-	VtkHdfParts parts_;
+	VtkHdfParts partitions_;
+	PackParts parts_;
 	std::uint64_t all_points_ = 0;
 	std::uint64_t all_cells_ = 0;
 	std::vector<PackRun> runs_;

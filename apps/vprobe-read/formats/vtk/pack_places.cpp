@@ -60,7 +60,7 @@ std::optional<json> describePlaces(const PackIndex& index, const std::string& fi
 		all_plain = all_plain && rows.plainOffset();
 		return rows.plainOffset().value_or(0);
 	};
-	const VtkHdfParts& parts = index.parts();
+	const PackParts& parts = index.parts();
 	json lists = {{"points", offsetOf(index.rowsOf("Points", index.typeOfPoints(), parts.all_points, 3))},
 	              {"point_numbers", offsetOf(index.rowsOf("own/PointNumbers", NumberType::uint32, parts.all_points))},
 	              {"ids", offsetOf(index.rowsOf("Connectivity", NumberType::int32, parts.all_ids))},
@@ -69,7 +69,7 @@ std::optional<json> describePlaces(const PackIndex& index, const std::string& fi
 	if (type == 0)
 	{
 		lists["types"] = offsetOf(index.rowsOf("Types", NumberType::uint8, parts.all_cells));
-		lists["ends"] = offsetOf(index.rowsOf("Offsets", NumberType::int32, index.endCount()));
+		lists["ends"] = offsetOf(index.rowsOf("Offsets", NumberType::int32, parts.all_ends));
 	}
 	json arrays = json::array();
 	for (const PackedArray& array : index.arrays())
@@ -92,6 +92,8 @@ std::optional<json> describePlaces(const PackIndex& index, const std::string& fi
 	            {"runs", describeRuns(index, *runs, writer)},
 	            {"part_cells", written(writer, parts.cells)},
 	            {"part_points", written(writer, parts.points)},
+	            {"part_first_ids", written(writer, parts.first_ids)},
+	            {"part_first_ends", written(writer, parts.first_ends)},
 	            {"time", index.time()},
 	            {"type", type},
 	            {"type_of_points", grid::numberTypeName(index.typeOfPoints())},

@@ -88,7 +88,7 @@ private:
 	void addAs()
 	{
 		using Id = typename Ids::ValueType;
-		const VtkHdfParts& parts = index_.parts();
+		const PackParts& parts = index_.parts();
 		const hdf5::Rows place_rows = index_.rowsOf("Points", index_.typeOfPoints(), parts.all_points, 3);
 		const hdf5::Rows number_rows = index_.rowsOf("own/PointNumbers", NumberType::uint32, parts.all_points);
 		const hdf5::Rows cell_rows = index_.rowsOf("own/CellNumbers", NumberType::uint32, parts.all_cells);
@@ -117,8 +117,10 @@ private:
 			           const PackRun& run = index_.runs()[number];
 			           const auto of_part = pointsOf(run.part, numbers);
 			           const std::span<std::int32_t> local = ids.subspan(run.first_id, run.ids);
-			           refuseWrongIds(local, of_part.size());
-			           const std::byte* of_first = places.data() + first_points_[run.part] * place_rows.rowBytes();
+			           const std::uint64_t first_id = parts.first_ids[run.part];
+			           refuseWrongIds(local, first_id, of_part.size());
+			           const std::byte* of_first =
+			               places.data() + (first_points_[run.part] - first_id) * place_rows.rowBytes();
 			           const std::array<double, 6>& box = index_.boxes()[number];
 			           if (place_rows.type() == NumberType::float32)
 				           refuseOutside(local, reinterpret_cast<const float*>(of_first), box);
@@ -126,7 +128,7 @@ private:
 				           refuseOutside(local, reinterpret_cast<const double*>(of_first), box);
 			           Id* to = first + run.first_id;
 			           for (const std::int32_t id : local)
-				           *to++ = static_cast<Id>(of_part[static_cast<std::size_t>(id)]);
+				           *to++ = static_cast<Id>(of_part[static_cast<std::uint64_t>(id) - first_id]);
 		           });
 		runTasks();
 
@@ -175,7 +177,8 @@ private:
 	void setCells(Ids* connectivity, vtkUnstructuredGrid* grid)
 	{
 		using Id = typename Ids::ValueType;
-		const std::uint64_t count = index_.parts().all_cells;
+		const PackParts& parts = index_.parts();
+		const std::uint64_t count = parts.all_cells;
 		vtkNew<Ids> offsets;
 		offsets->SetNumberOfValues(static_cast<vtkIdType>(count + 1));
 		Id* ends = offsets->GetPointer(0);
@@ -192,16 +195,16 @@ private:
 		else
 		{
 			const hdf5::Rows type_rows = index_.rowsOf("Types", NumberType::uint8, count);
-			const hdf5::Rows end_rows = index_.rowsOf("Offsets", NumberType::int32, index_.endCount());
-			HugeVector<std::int32_t> local(index_.endCount());
+			const hdf5::Rows end_rows = index_.rowsOf("Offsets", NumberType::int32, index_.parts().all_ends);
+			HugeVector<std::int32_t> local(index_.parts().all_ends);
 			fetch(type_rows, types->GetPointer(0));
 			fetch(end_rows, local.data());
 			runTasks();
 			for (const PackRun& run : index_.runs())
 			{
-				// A part has one end more than cells.
-				const std::span<std::int32_t> of_run =
-				    std::span(local).subspan(run.first_cell + run.part, run.cells + 1);
+				const std::uint64_t first_end =
+				    parts.first_ends[run.part] + (run.first_cell - parts.first_cells[run.part]);
+				const std::span<std::int32_t> of_run = std::span(local).subspan(first_end, run.cells + 1);
 				refuseWrongEnds(of_run, run.ids);
 				Id* to = ends + run.first_cell + 1;
 				for (const std::int32_t end : of_run.subspan(1))

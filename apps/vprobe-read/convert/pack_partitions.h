@@ -1,0 +1,34 @@
+#pragma once
+
+#include "pack_division.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace vp::reader::convert
+{
+
+// The partitions of VTKHDF that hold the parts of a pack: as few as can be, since VTK takes longer for each than for
+// the one before. Their lists have 32-bit numbers.
+class PackPartitions
+{
+public:
+	explicit PackPartitions(const PackDivision& division);
+
+	// How much a partition, or what stands before a part in its partition, has.
+	struct Counts
+	{
+		std::int64_t points = 0;
+		std::int64_t cells = 0;
+		std::int64_t ids = 0;
+	};
+	const std::vector<Counts>& partitions() const { return partitions_; }
+	const Counts& before(std::size_t part) const { return before_[part]; }
+
+private:
+	std::vector<Counts> partitions_;
+	std::vector<Counts> before_;
+};
+
+} // namespace vp::reader::convert
