@@ -28,8 +28,9 @@ VP_FORMAT("ensight", ".case .encas", "EnSight 6 and Gold, text and binary", "par
           head.has("GEOMETRY") && head.has("FORMAT"), base, meshes, EnSight)
 VP_FORMAT("cgns", ".cgns", "CGNS, ADF and HDF5", "bases and zones; polyhedra; times", "VTK", linked,
           head.isBefore("ADF Database", 32) || head.holds("CGNSLibraryVersion"), more, wrapped, Cgns)
-VP_FORMAT("vtkhdf", ".vtkhdf .hdf", "VTKHDF 1 and 2", "image data and unstructured grids; polyhedra; times",
-          "vprobe, HDF5", linked, head.holds("VTKHDF"), more, vtk, Hdf)
+VP_FORMAT("vtkhdf", ".vtkhdf .hdf", "VTKHDF 1 and 2",
+          "image data and unstructured grids, also several; polyhedra; times", "vprobe, HDF5", linked,
+          head.holds("VTKHDF"), more, vtk, Hdf)
 VP_FORMAT("exodus", ".ex2 .e .exo .exii .g", "Exodus II, netCDF and HDF5",
           "element blocks; side sets; displacements; times", "VTK", alone,
           head.holds("num_nodes") && head.holds("num_dim"), more, wrapped, Exodus)

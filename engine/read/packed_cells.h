@@ -102,12 +102,12 @@ private:
 		std::uint64_t first_id = 0;
 		std::uint64_t ids = 0;
 	};
-	// What is in memory.
+	// Runs and parts that are in memory.
 	struct Kept
 	{
 		std::vector<bool> runs, parts;
 	};
-	// What is not.
+	// Runs and parts that are not, and the pieces that the runs make up.
 	struct Missing
 	{
 		std::vector<std::uint32_t> runs{}, parts{};

@@ -10,12 +10,12 @@ namespace vp::read
 // The protocol between vprobe-read and its parent. The child is started as
 //   vprobe-read TIME SOLUTION REFINE DISPLACE PATCHES THREADS ARRAYS FORMAT RAW TARGET FOLDER PACK PARTS SANDBOX
 //   FOLLOW STAYS UNPACK LEVEL FILE [SLICE...]
-// TIME: last, first, a number, # and an index, or all where a pack is written. SOLUTION: empty or a PLOT3D q file. REFINE: how many times the linear
-// parts of curved cells are halved, or a tolerance, which leaves these cells curved. DISPLACE: a factor
-// for displacements, and behind a blank the name of their array if it is given; empty for none. PATCHES: 1 to read
-// named parts of the boundary, else 0. THREADS: the maximum number of threads. ARRAYS: the wanted arrays, one a line:
-// "*" for all, "^" for the default array, "=" and a name for one. FORMAT: a name of format_table.inl, or empty. RAW:
-// the layout of a raw volume (rawText()), or empty. TARGET and FOLDER: of convert(), or empty; the child writes into
+// TIME: last, first, a number, # and an index, or all where a pack is written. SOLUTION: empty or a PLOT3D q file.
+// REFINE: how many times the linear parts of curved cells are halved, or a tolerance, which leaves these cells curved.
+// DISPLACE: a factor for displacements, and behind a blank the name of their array if it is given; empty for none.
+// PATCHES: 1 to read named parts of the boundary, else 0. THREADS: the maximum number of threads. ARRAYS: the wanted
+// arrays, one a line: "*" for all, "^" for the default array, "=" and a name for one. FORMAT: a name of
+// format_table.inl, or empty. RAW: the layout of a raw volume (rawText()), or empty. TARGET and FOLDER: of convert(), or empty; the child writes into
 // this folder and nowhere else. PACK: the most cells of a part of it, where it is written in parts; else empty. PARTS:
 // empty for all, "?" to list them, "places" to leave the cells of a pack in the file (below), or their numbers with
 // commas between; behind numbers and "?", "/" and into how many slabs a lattice comes apart that is alone in its file.
@@ -68,10 +68,11 @@ namespace vp::read
 //
 // With PARTS "places", the block of a pack whose lists lie in the file as they are in memory is of kind "packed". It
 // has "file", "type" of all cells or 0, "type_of_points", "runs": {"boxes": array of float64, lo and hi of each, and as
-// arrays of uint64 "cells", "ids", "parts"}, and for each part as arrays of uint64 "part_cells", "part_points", "part_first_ids",
-// with which the ids of its points begin, and "part_first_ends", its first row in "ends". What else it would have stays in the file: "lists" has the offsets of "points", "point_numbers", "ids", "cell_numbers",
-// and of "types" and "ends" where "type" is 0 (docs/FORMATS.md); each of the "arrays" has "times" and no "bytes": for
-// each time of the file an "offset" and "facts"; "time" is the index of the one that was asked for; and "pack" has no
+// arrays of uint64 "cells", "ids", "parts"}, and for each part as arrays of uint64 "part_cells", "part_points",
+// "part_first_ids", with which the ids of its points begin, and "part_first_ends", its first row in "ends". What else
+// it would have stays in the file: "lists" has the offsets of "points", "point_numbers", "ids", "cell_numbers", and of
+// "types" and "ends" where "type" is 0 (docs/FORMATS.md); each of the "arrays" has "times" and no "bytes": for each
+// time of the file an "offset" and "facts"; "time" is the index of the one that was asked for; and "pack" has no
 // "numbers". Other files are read as if PARTS was empty.
 // Started as "vprobe-read copies", it reads nothing and makes copies of itself, which are as if started with the
 // arguments above; see ready_reader.h.

@@ -223,7 +223,7 @@ def damaged_times_are_refused(folder):
         'values beyond': ('VTKHDF/Steps/PointDataOffsets/f', 3, 10 ** 6),
         'values before': ('VTKHDF/Steps/CellDataOffsets/g', 0, -1),
         'another part': ('VTKHDF/Steps/PartOffsets', 1, 1), 'other points': ('VTKHDF/Steps/PointOffsets', 2, 8),
-        'fewer parts': ('VTKHDF/Steps/NumberOfParts', 0, 1),
+        'more parts': ('VTKHDF/Steps/NumberOfParts', 0, 2),
         'more labels': ('vprobe/CellData/material/NumberOfValues', 0, 100),
         'no labels of all': ('vprobe/CellData/material/NumberOfValues', None, None),
         'no ranges of all': ('vprobe/PointData/f/Spans', None, None),

@@ -267,6 +267,29 @@ def vtk_reads_packs(folder):
     assert all(abs(a - b) < 1e-9 * abs(a) for a, b in zip(*sums)), sums
 
 
+def parts_of_several_partitions(folder):
+    """A pack that is too large for the numbers of one partition has several. Here it is divided by hand."""
+    h5py, numpy = need('h5py'), need('numpy')
+    path, pack = packed(folder, '--part', '64')
+    with h5py.File(pack, 'r+') as file:
+        root, own = file['VTKHDF'], file['vprobe']
+        parts, in_runs = len(own['PartPoints']), own['NumberOfConnectivityIds'][...]
+        assert parts == len(in_runs) > 3  # a run each
+        points, cells, ids = (int(list_of[:2].sum()) for list_of in (own['PartPoints'], own['PartCells'], in_runs))
+        connectivity, ends = root['Connectivity'][...], root['Offsets'][...]
+        connectivity[ids:] -= points
+        ends = numpy.concatenate([ends[:cells + 1], ends[cells:] - ends[cells]])
+        for name, first in (('NumberOfPoints', points), ('NumberOfCells', cells), ('NumberOfConnectivityIds', ids)):
+            both = [first, root[name][0] - first]
+            del root[name]
+            root[name] = numpy.array(both, dtype='i8')
+        for name, values in (('Connectivity', connectivity), ('Offsets', ends)):
+            del root[name]
+            root[name] = values
+    for options in tried((*CUTS, ['--crinkle'])):
+        same_figures(path, pack, options, folder)
+
+
 def packs_in_chunks(folder):
     """Lists that another program has packed are read through HDF5."""
     h5py = need('h5py')
@@ -317,6 +340,7 @@ def damaged_packs_are_refused(folder):
         'no cells in a run': attribute('CellsOfRun', 0), 'shorter runs': attribute('CellsOfRun', 20),
         'another run': change('vprobe/NumberOfConnectivityIds', 0, 7), 'no boxes of all': shorten('vprobe/Boxes'),
         'no numbers of all': shorten('vprobe/CellNumbers'), 'points missing': shorten('VTKHDF/Points'),
+        'no part of all': shorten('vprobe/PartCells'), 'another part': change('vprobe/PartPoints', 0, 3),
         'no numbers': remove('vprobe/PointNumbers'), 'no ranges': remove('vprobe/PointData/f/Spans'),
         'offsets that fall': change('VTKHDF/Offsets', 2, 100000), 'a wrong count': change('VTKHDF/NumberOfCells', 0, 1),
         'ranges turned': change('vprobe/PointData/f/Spans', (0, 0), 1e30)}
@@ -350,4 +374,4 @@ def packing_refuses(folder):
 CASES = [packs_are_cut_as_their_inputs, packs_read_what_is_cut, packs_are_swept_as_their_inputs,
          packs_are_whole_where_that_is_asked, packs_look_like_their_inputs, packs_tell_cells_that_are_left_out,
          packs_keep_what_is_odd, packs_are_converted_and_packed_again, arrays_that_become_alike_are_kept,
-         vtk_reads_packs, packs_in_chunks, damaged_packs_are_refused, packing_refuses]
+         vtk_reads_packs, parts_of_several_partitions, packs_in_chunks, damaged_packs_are_refused, packing_refuses]

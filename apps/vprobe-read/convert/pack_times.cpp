@@ -38,7 +38,7 @@ bool areEqual(vtkDataArray* a, vtkDataArray* b)
 
 bool haveEqualCells(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
 {
-	constexpr const char* marks = "vtkGhostType"; // of cells that nobody sees
+	constexpr const char* marks = "vtkGhostType"; // say which cells nobody sees
 	return a->GetNumberOfPoints() == b->GetNumberOfPoints() && a->GetNumberOfCells() == b->GetNumberOfCells() &&
 	       areEqual(a->GetPoints()->GetData(), b->GetPoints()->GetData()) &&
 	       areEqual(a->GetCellTypesArray(), b->GetCellTypesArray()) &&

@@ -43,7 +43,7 @@ private:
 	std::string path_;
 	grid::NumberType type_;
 	std::vector<std::uint64_t> sides_;
-	std::uint64_t first_ = 0; // of its rows in the data set
+	std::uint64_t first_ = 0; // row in the data set
 	std::uint64_t count_ = 0;
 	std::optional<std::uint64_t> offset_;
 	static std::mutex one_at_a_time_; // HDF5

@@ -66,8 +66,9 @@ void addPack(CLI::App& program, Run& run)
 	                 fmt::format("Cells of a part of an unstructured grid, at most ({})", kUsualPart))
 	    ->type_name("CELLS")
 	    ->check(CLI::Range(64, 1 << 24));
-	command->footer("Writes all times of a grid that stands still, or the one that --time chooses. An image gets bricks of "
-	                "some 32 points a side.");
+	command->footer(
+	    "Writes all times of a grid that stands still, or the one that --time chooses. An image gets bricks of "
+	    "some 32 points a side.");
 	command->callback([&run, options] { run = [options] { return runPack(*options); }; });
 }
 

@@ -165,7 +165,7 @@ TEST(PackedCells, ReadTheValuesOfAnotherTimeAndNothingElse)
 	EXPECT_EQ(cells->use().bytes_read, 4u * 8 + 4);
 	EXPECT_EQ(cells->use().kept, 2u);
 	EXPECT_EQ(block.fields[0].value(4, 0), 41.0);
-	EXPECT_EQ(block.fields[0].value(0, 0), 0.0); // of the other part alone
+	EXPECT_EQ(block.fields[0].value(0, 0), 0.0); // a point of the other part alone
 	EXPECT_EQ(block.fields[1].value(1, 1), -4.0);
 	EXPECT_EQ(before.fields[0].value(4, 0), 40.0);
 	EXPECT_EQ(before.fields[0].value(0, 0), 0.0);

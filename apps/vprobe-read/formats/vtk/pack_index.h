@@ -100,7 +100,7 @@ private:
 
 	const hdf5::File& file_;
 	std::string root_, own_;         // its groups
-	std::vector<std::size_t> steps_; // of the file, in the order of their times
+	std::vector<std::size_t> steps_; // the file's, in the order of their times
 	std::size_t time_;               // among them
 	int descriptor_;
 	VtkHdfParts partitions_;
