@@ -15,17 +15,17 @@ namespace vp::read
 // DISPLACE: a factor for displacements, and behind a blank the name of their array if it is given; empty for none.
 // PATCHES: 1 to read named parts of the boundary, else 0. THREADS: the maximum number of threads. ARRAYS: the wanted
 // arrays, one a line: "*" for all, "^" for the default array, "=" and a name for one. FORMAT: a name of
-// format_table.inl, or empty. RAW: the layout of a raw volume (rawText()), or empty. TARGET and FOLDER: of convert(), or empty; the child writes into
-// this folder and nowhere else. PACK: the most cells of a part of it, where it is written in parts; else empty. PARTS:
-// empty for all, "?" to list them, "places" to leave the cells of a pack in the file (below), or their numbers with
-// commas between; behind numbers and "?", "/" and into how many slabs a lattice comes apart that is alone in its file.
-// SANDBOX: auto, require or off. FOLLOW: folders with files that the input may name, one a line, or "anywhere". STAYS:
-// arrays of more bytes than this may stay in the file; empty if none may. UNPACK: empty, see below. LEVEL: of images at
-// several resolutions, 0 the finest. SLICE: where several files are the slices of one volume, all of them in their
-// order; FILE is the first. The child writes arrays into two
-// shared memories, each array at a multiple of kArrayAlignment. kCellsFd gets the points and cells of unstructured
-// blocks, which nobody needs after the grid is built, kArraysFd everything else. A JSON manifest that describes them
-// goes to kManifestFd:
+// format_table.inl, or empty. RAW: the layout of a raw volume (rawText()), or empty. TARGET and FOLDER: of convert(),
+// or empty; the child writes into this folder and nowhere else. PACK: the most cells of a part of it, where it is
+// written in parts; else empty. PARTS: empty for all, "?" to list them, "places" to leave the cells of a pack in the
+// file (below), or their numbers with commas between; behind numbers and "?", "/" and into how many slabs a lattice
+// comes apart that is alone in its file. SANDBOX: auto, require or off. FOLLOW: folders with files that the input may
+// name, one a line, or "anywhere". STAYS: arrays of more bytes than this may stay in the file; empty if none may.
+// UNPACK: empty, see below. LEVEL: of images at several resolutions, 0 the finest. SLICE: where several files are the
+// slices of one volume, all of them in their order; FILE is the first. The child writes arrays into two shared
+// memories, each array at a multiple of kArrayAlignment. kCellsFd gets the points and cells of unstructured blocks,
+// which nobody needs after the grid is built, kArraysFd everything else. A JSON manifest that describes them goes to
+// kManifestFd:
 //
 //   {"version", "times": [..], "left_out": cells, "warnings": [words, or {"count", "words"}, ..], "files": those that
 //   were read, "bytes_read": by the child from files, "levels": how many the file has, if there are several, "blocks":
