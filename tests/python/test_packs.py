@@ -52,3 +52,44 @@ def test_arrays_are_whole(pack):
 def test_a_picture_is_that_of_the_whole(pack):
     pictures = [vprobe.open(each).render(normal=(.3, .5, .8), size=(200, 150), title='') for each in (pack, WHOLE)]
     assert np.array_equal(*map(np.asarray, pictures))
+
+
+@pytest.fixture(scope='module')
+def series(program, tmp_path_factory):
+    """A row of cubes along x, with f = x + 100 t at t = 1, 2, 3; and its pack."""
+    folder = tmp_path_factory.mktemp('series')
+    count = 200
+    points = [(x, y, z) for x in range(count + 1) for y in (0, 1) for z in (0, 1)]
+    cells = [[4 * c + at for at in (0, 4, 6, 2, 1, 5, 7, 3)] for c in range(count)]
+
+    def array(kind, name, values, components=1):
+        return (f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{components}" format="ascii">'
+                f'{" ".join(map(str, values))}</DataArray>')
+
+    steps = ''
+    for time in (1, 2, 3):
+        (folder / f'{time}.vtu').write_text(
+            '<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian"><UnstructuredGrid>'
+            f'<Piece NumberOfPoints="{len(points)}" NumberOfCells="{count}">'
+            f'<PointData>{array("Float64", "f", [x + 100 * time for x, _, _ in points])}</PointData>'
+            f'<Points>{array("Float32", "Points", np.ravel(points), 3)}</Points>'
+            f'<Cells>{array("Int32", "connectivity", np.ravel(cells))}'
+            f'{array("Int32", "offsets", range(8, 8 * count + 1, 8))}{array("UInt8", "types", [12] * count)}</Cells>'
+            '</Piece></UnstructuredGrid></VTKFile>')
+        steps += f'<DataSet timestep="{time}" file="{time}.vtu"/>'
+    (folder / 'all.pvd').write_text(f'<VTKFile type="Collection"><Collection>{steps}</Collection></VTKFile>')
+    program('pack', folder / 'all.pvd', '-o', folder / 'all.vtkhdf', '--part', '64')
+    return folder / 'all.vtkhdf'
+
+
+def test_times_follow_each_other(series):
+    data = vprobe.open(series, time='first')
+    assert list(data.times) == [1, 2, 3]
+    early = data.slice(normal=(1, 0, 0), origin=(20.5, 0, 0))
+    frames = [frame.cut[0] for frame in data.sweep(path='times', draws=False, normal=(1, 0, 0), origin=(150.5, 0, 0))]
+    # They are measured when all times have passed.
+    assert [piece.mean for piece in frames] == [250.5, 350.5, 450.5]
+    assert early.mean == 120.5 and data.slice(normal=(1, 0, 0), origin=(20.5, 0, 0)).mean == 120.5
+    assert data.sample([[7.25, 0.5, 0.5]])['f'][0] == 107.25  # reads all parts
+    assert [frame.cut[0].mean for frame in data.sweep(path='times', draws=False, normal=(1, 0, 0),
+                                                      origin=(150.5, 0, 0))] == [250.5, 350.5, 450.5]
