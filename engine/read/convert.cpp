@@ -67,7 +67,8 @@ Status convert(const std::string& input, const ReadOptions& options, const std::
 	                                                        : inputLimits(input, options.solution, options.format);
 	if (!limits)
 		return limits.error();
-	limits->time *= 4; // packing takes longer than reading
+	// Packing takes longer than reading, and the grid may be read again for each time.
+	limits->time *= options.all_times ? 32 : 4;
 	const Result<HandedOver> handed = runReader(input, reading, *limits);
 	if (!handed)
 		return handed.error();
