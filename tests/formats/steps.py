@@ -403,8 +403,12 @@ def vtkhdf_collections(folder):
     write('MultiBlockDataSet', times=(2.0, 3.0))
     refused(path, 'different times')
     with h5py.File(path, 'r+') as file:
-        del file['VTKHDF/Image']
-    assert near(cut(path, 'f', *plane)['area'], 1)  # a link leads nowhere
+        del file['VTKHDF/Image']  # and a link leads nowhere
+        for name, type_of in (('tree', 'HyperTreeGrid'), ('flat', 'PolyData')):
+            file.create_group(f'VTKHDF/{name}').attrs['Type'] = type_of
+    done = subprocess.run([VPROBE, 'slice', path, *plane, '--stats', folder / 's.json'], capture_output=True, encoding='utf-8')
+    assert done.returncode == 0 and 'the data set tree of type HyperTreeGrid is left out' in done.stderr, done
+    assert 'flat' not in done.stderr and near(cut(path, 'f', *plane)['area'], 1)
 
 
 def vtkhdf_images(folder):

@@ -51,11 +51,18 @@ void readCollection(const Request& request, manifest::Writer& manifest, const hd
 {
 	std::vector<std::pair<double, std::string>> sets; // by index
 	for (const std::string& name : file.namesIn(kVtkHdf))
-		if (const std::string root = kVtkHdf + "/" + name;
-		    !file.isSet(root) && isOneOf(typeOf(file, root), {"ImageData", "UnstructuredGrid"}))
+	{
+		const std::string root = kVtkHdf + "/" + name;
+		const std::string type = file.isSet(root) ? "" : typeOf(file, root);
+		if (isOneOf(type, {"ImageData", "UnstructuredGrid"}))
 			sets.emplace_back(file.realOr(root, "Index", 0.0), name);
+		else if (!type.empty() && type != "PolyData") // which has no three-dimensional cells
+			manifest.warn(fmt::format("the data set {} of type {} is left out", name, type.substr(0, 40)));
+	}
 	if (sets.empty())
-		throw Refusal("nothing to slice: a VTKHDF collection without image data and unstructured grids");
+		throw Refusal(fmt::format("nothing to slice: VTKHDF of type {} without image data and unstructured grids; save "
+		                          "it as .vtm from ParaView",
+		                          typeOf(file, kVtkHdf)));
 	std::ranges::stable_sort(sets, {}, &std::pair<double, std::string>::first);
 	const std::vector<double> times = VtkHdfStep::timesOf(file, kVtkHdf + "/" + sets[0].second);
 	for (const auto& [index, name] : sets)
