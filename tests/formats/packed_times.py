@@ -83,9 +83,9 @@ def several_blocks_are_packed_as_one_file(folder):
         for name, block in zip('ab', range(2)):
             used, lists = numpy.unique(mesh.cells[block].data, return_inverse=True)
             cells = [(mesh.cells[block].type, lists.reshape(mesh.cells[block].data.shape))]
-            meshio.write(folder / f'{name}{step}.vtu',
-                         meshio.Mesh(mesh.points[used], cells, {key: each[used] for key, each in mesh.point_data.items()},
-                                     {key: [values[block]] for key, values in mesh.cell_data.items()}))
+            of_points = {key: values[used] for key, values in mesh.point_data.items()}
+            of_cells = {key: [values[block]] for key, values in mesh.cell_data.items()}
+            meshio.write(folder / f'{name}{step}.vtu', meshio.Mesh(mesh.points[used], cells, of_points, of_cells))
         (folder / f'both{step}.vtm').write_text(
             '<VTKFile type="vtkMultiBlockDataSet" version="1.0"><vtkMultiBlockDataSet>' +
             ''.join(f'<DataSet index="{i}" name="{name}" file="{file}{step}.vtu"/>'
@@ -93,7 +93,7 @@ def several_blocks_are_packed_as_one_file(folder):
             '</vtkMultiBlockDataSet></VTKFile>')
         lines.append(f'<DataSet timestep="{time}" file="both{step}.vtm"/>')
     path, pack = folder / 'both.pvd', folder / 'both.vtkhdf'
-    path.write_text('<VTKFile type="Collection" version="0.1"><Collection>' + ''.join(lines) + '</Collection></VTKFile>')
+    path.write_text('<VTKFile type="Collection"><Collection>' + ''.join(lines) + '</Collection></VTKFile>')
     vprobe('pack', path, '-o', pack, '--part', '64')
     for time in TIMES:
         for cut in tried(CUTS[:5]):

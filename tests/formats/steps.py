@@ -395,7 +395,8 @@ def vtkhdf_collections(folder):
     for kind in ('PartitionedDataSetCollection', 'MultiBlockDataSet'):
         write(kind)
         told = info(path)
-        assert [block['name'] for block in told['blocks']] == ['both: Image', 'both: a cube'] and told['times'] == [2, 4], told
+        assert [block['name'] for block in told['blocks']] == ['both: Image', 'both: a cube'], told
+        assert told['times'] == [2, 4], told
         plane = ('--normal', '0', '0', '1', '--origin', '0', '0', '0.25')
         for time, mean in (('2', 0.25), ('last', 5.25)):
             sheet = cut(path, 'f', *plane, '--time', time)
@@ -406,7 +407,8 @@ def vtkhdf_collections(folder):
         del file['VTKHDF/Image']  # and a link leads nowhere
         for name, type_of in (('tree', 'HyperTreeGrid'), ('flat', 'PolyData')):
             file.create_group(f'VTKHDF/{name}').attrs['Type'] = type_of
-    done = subprocess.run([VPROBE, 'slice', path, *plane, '--stats', folder / 's.json'], capture_output=True, encoding='utf-8')
+    done = subprocess.run([VPROBE, 'slice', path, *plane, '--stats', folder / 's.json'], capture_output=True,
+                          encoding='utf-8')
     assert done.returncode == 0 and 'the data set tree of type HyperTreeGrid is left out' in done.stderr, done
     assert 'flat' not in done.stderr and near(cut(path, 'f', *plane)['area'], 1)
 
@@ -526,4 +528,5 @@ def turned_axes(folder):
     assert near(cut(path, None, '--normal', '0', '0', '1', '--origin', '0', '0', '1')['mean'], values[z == 2].mean())
 
 
-CASES = [vtk_times, empty_pieces, polyhedra_of_vtk94, vtkhdf_grids, vtkhdf_collections, vtkhdf_images, xdmf_entities, turned_axes]
+CASES = [vtk_times, empty_pieces, polyhedra_of_vtk94, vtkhdf_grids, vtkhdf_collections, vtkhdf_images,
+         xdmf_entities, turned_axes]
