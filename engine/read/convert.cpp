@@ -1,6 +1,7 @@
 #include "read/convert.h"
 
 #include "base/messages.h"
+#include "base/progress.h"
 #include "read/child.h"
 #include "read/input_limits.h"
 #include "read/manifest.h"
@@ -53,6 +54,7 @@ Status checkWish(const CheckedInput& input, const ArrayWish& wish)
 Status convert(const std::string& input, const ReadOptions& options, const std::string& target,
                const std::string& folder)
 {
+	const Progress progress(fmt::format("{} {}", options.cells_of_part > 0 ? "packing" : "converting", input));
 	ReadOptions reading = options;
 	reading.convert_to = target;
 	reading.convert_folder = folder;
