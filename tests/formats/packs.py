@@ -330,8 +330,14 @@ def damaged_packs_are_refused(folder):
             file[name] = values
         return damage
 
+    def points_in_the_next_part(file):  # and all ids in the first run
+        points, ids = file['vprobe/PartPoints'][...], file['vprobe/NumberOfConnectivityIds'][...]
+        points[:3] = 0, 0, points[:3].sum()
+        file['vprobe/PartPoints'][...] = points
+        file['vprobe/NumberOfConnectivityIds'][...] = [ids.sum()] + [0] * (len(ids) - 1)
+
     damages = {
-        'a newer version': attribute('Version', 3), 'no count of hidden cells': lambda file: file['vprobe'].attrs.__delitem__('HiddenCells'),
+        'parts without points': points_in_the_next_part, 'a newer version': attribute('Version', 3), 'no count of hidden cells': lambda file: file['vprobe'].attrs.__delitem__('HiddenCells'),
         'a point moved': change('VTKHDF/Points', (0, 0), -3.0), 'a smaller box': change('vprobe/Boxes', (0, 3), 0.1),
         'an id beyond': change('VTKHDF/Connectivity', 0, 999999), 'an id below 0': change('VTKHDF/Connectivity', 0, -1),
         'points out of order': change('vprobe/PointNumbers', 1, 0),

@@ -179,7 +179,7 @@ void PackIndex::listRuns()
 	const auto ids = allRows<std::uint32_t>("NumberOfConnectivityIds", NumberType::uint32, count);
 	boxes_ = allRows<std::array<double, 6>>("Boxes", NumberType::float64, count);
 	std::uint64_t first_cell = 0, first_id = 0, end_of_partition = 0;
-	for (std::size_t part = 0, partition = 0; part < parts_.count(); ++part)
+	for (std::size_t part = 0; part < parts_.count(); ++part)
 	{
 		for (std::uint64_t left = parts_.cells[part]; left > 0;)
 		{
@@ -189,8 +189,9 @@ void PackIndex::listRuns()
 			first_cell += cells;
 			first_id += runs_.back().ids;
 		}
-		const bool is_last = part + 1 == parts_.count() || parts_.first_ids[part + 1] == 0;
-		if (is_last && first_id != (end_of_partition += partitions_.ids[partition++]))
+		const std::size_t partition = parts_.partitionOf(part);
+		const bool is_last = part + 1 == parts_.count() || parts_.partitionOf(part + 1) != partition;
+		if (is_last && first_id != (end_of_partition += partitions_.ids[partition]))
 			throw damaged("the runs of a part do not make up the part");
 	}
 	if (runs_.empty())

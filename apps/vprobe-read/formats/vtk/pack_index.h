@@ -41,6 +41,8 @@ struct PackParts
 	std::uint64_t all_points = 0, all_cells = 0, all_ids = 0, all_ends = 0;
 
 	std::size_t count() const { return points.size(); }
+	// Returns the partition of VTKHDF that a part is in. Each of those before it has one end more than cells.
+	std::size_t partitionOf(std::size_t part) const { return first_ends[part] - first_cells[part]; }
 };
 
 struct PackedArray
