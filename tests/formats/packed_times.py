@@ -212,6 +212,19 @@ def grids_that_move_are_refused(folder):
         vprobe('pack', path, '-o', pack, '--time', '0.5')
         same_figures(folder / 'mesh1.vtu', pack, [], folder)
         pack.unlink()
+    image = ('# vtk DataFile Version 3.0\nimage\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\nORIGIN 0 0 0\n'
+             'SPACING 1 1 1\nPOINT_DATA 8\nSCALARS f double\nLOOKUP_TABLE default\n')
+    for step in (0, 1):
+        (folder / f'image{step}.vtk').write_text(image + f'{step}\n' * 8)
+    (folder / 'image.pvd').write_text('<VTKFile type="Collection"><Collection><DataSet timestep="0" file="image0.vtk"/>'
+                                      '<DataSet timestep="1" file="image1.vtk"/></Collection></VTKFile>')
+    for arguments, words in (([folder / 'image.pvd'], 'has 2 times, and an image is packed at one time'),
+                             ([series(folder), '--displace-by', 'v'], 'has 4 times, and its points move with them')):
+        done = subprocess.run([VPROBE, 'pack', *arguments, '-o', pack], capture_output=True, encoding='utf-8')
+        assert done.returncode == 2 and words in done.stderr and '--time' in done.stderr, done
+        assert not pack.exists()
+        vprobe('pack', *arguments, '-o', pack, '--time', 'last')
+        pack.unlink()
     vprobe('pack', series(folder, without_v), '-o', pack, '--array', 'f')
     assert [array['name'] for array in info(pack)['arrays']] == ['f']
 

@@ -135,10 +135,8 @@ void writeConverted(const std::vector<KeptBlock>& blocks, const TimesToPack& tim
 	if (request.cells_of_part > 0 && std::ranges::all_of(blocks, isUnstructured))
 		return writePack(blocks, times, file, request.cells_of_part, request.threads);
 	if (blocks.size() != 1 && request.cells_of_part > 0)
-		throw Refusal(
-		    fmt::format("has {} blocks that are not all unstructured, and nothing else is packed yet; convert "
-		                "it to .vtm and pack its pieces",
-		                blocks.size()));
+		throw Refusal(fmt::format(
+		    "has {} blocks, and some are not unstructured, which are not packed yet; use it as it is", blocks.size()));
 	if (blocks.size() != 1)
 		throw Refusal(fmt::format("has {} blocks, and a {} file holds one; write a .vtm", blocks.size(), ending));
 	vtkDataSet* data = blocks[0].data;
@@ -147,7 +145,7 @@ void writeConverted(const std::vector<KeptBlock>& blocks, const TimesToPack& tim
 		    "is neither image data nor unstructured, and nothing else is packed yet; convert it to .vtu first");
 	if (times.times.size() > 1)
 		throw Refusal(
-		    fmt::format("has {} times, and of images one is packed; choose it with --time", times.times.size()));
+		    fmt::format("has {} times, and an image is packed at one time; choose it with --time", times.times.size()));
 	if (ending == ".vtkhdf")
 		return writeVtkHdf(data, file, request.threads);
 	if (ending == ".vtu" && endingOf(data) != ending)
