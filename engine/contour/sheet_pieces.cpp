@@ -15,7 +15,7 @@ constexpr double kRounding = 1e-12; // share of the box's size; anything nearer 
 
 // Joins pieces that meet across faces with several neighbors.
 void joinAcrossLinks(const grid::UnstructuredGrid& grid, std::uint32_t block, const surface::BlockSurface& surface,
-                     const ClipBox& box, const mesh::SheetMesh& mesh, mesh::UnionFind& joined)
+                     const ClipBox& box, const mesh::SheetMesh& mesh, UnionFind& joined)
 {
 	std::unordered_map<CellId, std::uint32_t> vertex_of;
 	for (std::size_t p = 0; p < mesh.polygons(); ++p)
@@ -73,7 +73,7 @@ void keepPolygons(mesh::SheetMesh& mesh, const std::vector<bool>& kept)
 Pieces piecesOf(const grid::BlockSet& blocks, std::span<const surface::BlockSurface> surfaces, const ClipBox& box,
                 const mesh::SheetMesh& mesh)
 {
-	mesh::UnionFind joined = measure::joinedVertices(mesh);
+	UnionFind joined = measure::joinedVertices(mesh);
 	for (std::uint32_t b = 0; b < blocks.blocks.size(); ++b)
 		if (const auto* grid = std::get_if<grid::UnstructuredGrid>(&blocks.blocks[b].grid); grid && grid->hasLinks())
 			joinAcrossLinks(*grid, b, surfaces[b], box, mesh, joined);

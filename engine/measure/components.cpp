@@ -3,9 +3,9 @@
 namespace vp::measure
 {
 
-mesh::UnionFind joinedVertices(const mesh::SheetMesh& mesh)
+UnionFind joinedVertices(const mesh::SheetMesh& mesh)
 {
-	mesh::UnionFind pieces(mesh.positions.size()); // every vertex belongs to a polygon
+	UnionFind pieces(mesh.positions.size()); // every vertex belongs to a polygon
 	for (std::size_t p = 0; p < mesh.polygons(); ++p)
 		for (const std::uint32_t v : mesh.polygon(p).subspan(1))
 			pieces.join(mesh.polygon(p)[0], v);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "mesh/sheet_mesh.h"
-#include "mesh/union_find.h"
+#include "base/union_find.h"
 
 #include <cstddef>
 
@@ -12,6 +12,6 @@ namespace vp::measure
 std::size_t countComponents(const mesh::SheetMesh& mesh);
 
 // The vertices, joined where they are of one piece.
-mesh::UnionFind joinedVertices(const mesh::SheetMesh& mesh);
+UnionFind joinedVertices(const mesh::SheetMesh& mesh);
 
 } // namespace vp::measure

@@ -4,7 +4,7 @@
 #include "mesh/seam_values.h"
 #include "mesh/seam_vertices.h"
 #include "mesh/sheet_mesh.h"
-#include "mesh/union_find.h"
+#include "base/union_find.h"
 
 #include <span>
 

@@ -5,7 +5,7 @@
 #include "mesh/mesh_seams.h"
 #include "mesh/seam_values.h"
 #include "mesh/seam_vertices.h"
-#include "mesh/union_find.h"
+#include "base/union_find.h"
 
 #include <algorithm>
 #include <utility>

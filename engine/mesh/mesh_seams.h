@@ -2,7 +2,7 @@
 
 #include "grid/block.h"
 #include "mesh/sheet_mesh.h"
-#include "mesh/union_find.h"
+#include "base/union_find.h"
 
 namespace vp::mesh
 {

@@ -6,7 +6,7 @@
 #include "grid/number_types.h"
 #include "grid/shown_value.h"
 #include "mesh/fetch_values.h"
-#include "mesh/union_find.h"
+#include "base/union_find.h"
 
 #include <tbb/blocked_range.h>
 

@@ -1,6 +1,6 @@
 #include "ranks/joined_across.h"
 
-#include "mesh/union_find.h"
+#include "base/union_find.h"
 
 #include <algorithm>
 
@@ -28,7 +28,7 @@ JoinedAcross joinOverRanks(Team& team, std::span<const std::uint8_t> own, std::v
 	}
 	const auto numberOf = [&](int rank, std::uint32_t number)
 	{ return static_cast<std::uint32_t>(first[static_cast<std::size_t>(rank)] + number); };
-	mesh::UnionFind joined(marks.size());
+	UnionFind joined(marks.size());
 	for (const Link& link : of_all)
 		joined.join(numberOf(link.rank, link.number), numberOf(link.other, link.other_number));
 	for (std::uint32_t i = 0; i < marks.size(); ++i)

@@ -2,7 +2,7 @@
 
 #include "base/place_key.h"
 #include "measure/components.h"
-#include "mesh/union_find.h"
+#include "base/union_find.h"
 #include "ranks/data/share.h"
 #include "ranks/join/border_faces.h"
 #include "ranks/join/hanging_borders.h"
@@ -37,8 +37,8 @@ struct Found
 template <class IsPlace, class IsSeam>
 void joinAmong(std::span<const RimVertex> vertices, const IsPlace& isPlace, const IsSeam& isSeam, Found& found)
 {
-	mesh::UnionFind joined(vertices.size());
-	mesh::UnionFind touching(vertices.size());
+	UnionFind joined(vertices.size());
+	UnionFind touching(vertices.size());
 	// As in one process, a place has one vertex of each block where only places tell (mesh/join_vertices.cpp).
 	const auto isFirst = [&](std::uint32_t i)
 	{
@@ -228,7 +228,7 @@ void joinNear(Team& team, const std::vector<Box>& boxes, std::vector<RimVertex>&
 /// Numbers the pieces of a mesh.
 MarkedPieces piecesOf(const mesh::SheetMesh& mesh)
 {
-	mesh::UnionFind joined = measure::joinedVertices(mesh);
+	UnionFind joined = measure::joinedVertices(mesh);
 	std::vector<std::uint32_t> roots(mesh.positions.size());
 	for (std::uint32_t v = 0; v < roots.size(); ++v)
 		roots[v] = joined.root(v);

@@ -5,7 +5,7 @@
 #include "find/curved_sheet.h"
 #include "mesh/build_mesh.h"
 #include "mesh/sheet_mesh.h"
-#include "mesh/union_find.h"
+#include "base/union_find.h"
 
 #include <algorithm>
 #include <map>
@@ -78,7 +78,7 @@ find::CellCut scan(const G& grid, const surface::BlockSurface& surface)
 }
 
 // Polygons that share a side which reaches into the box, or a vertex in it.
-void joinNeighbors(const mesh::SheetMesh& mesh, const contour::ClipBox& box, mesh::UnionFind& polygons)
+void joinNeighbors(const mesh::SheetMesh& mesh, const contour::ClipBox& box, UnionFind& polygons)
 {
 	std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> first;
 	const auto join = [&](std::uint32_t v, std::uint32_t w, std::uint32_t p)
@@ -119,7 +119,7 @@ PiecesOnSheet piecesOnSheet(const grid::BlockSet& set, const std::string& field,
 		found.cut_cells += cuts[b].cut_cells;
 	}
 	const mesh::SheetMesh mesh = mesh::buildMesh(set, surfaces, of_blocks);
-	mesh::UnionFind joined(mesh.polygons());
+	UnionFind joined(mesh.polygons());
 	joinNeighbors(mesh, box, joined);
 
 	std::vector<Polygon> parts(mesh.polygons());

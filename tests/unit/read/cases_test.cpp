@@ -305,7 +305,8 @@ TEST(Files, OfOtherProgramsNameTheRemedy)
 	     "elements of Gmsh type 29 are of an order above 2");
 	says("case/a.foam", "", "constant/ is missing or cannot be opened");
 	std::filesystem::create_directories(folder / "case/processor0/1");
-	says("case/a.foam", "", "run reconstructPar");
+	std::filesystem::create_directories(folder / "case/processor2/1");
+	says("case/a.foam", "", "its part of processor 1 is missing");
 }
 
 TEST(Folders, OfZarrThatCannotBeFollowedAreTold)

@@ -1,6 +1,6 @@
 #include "foam_case.h"
 
-#include "vprobe-read/text/gzip_text.h"
+#include "foam_blocks.h"
 
 #include "base/real_text.h"
 
@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <set>
@@ -71,8 +72,15 @@ std::optional<FoamSource> openSource(const fs::path& path)
 	const fs::path file = thereOrPacked(path);
 	if (file.empty())
 		return std::nullopt;
-	const auto text = std::make_shared<const text::MaybeGzip>(file.string());
+	const auto text = std::make_shared<const FoamFileText>(file, std::nullopt);
 	return FoamSource{file, text, text->text()};
+}
+
+// The name of a file, and of its packed sister.
+std::string nameUnpacked(const fs::path& path)
+{
+	const std::string name = path.filename().string();
+	return path.extension() == ".gz" ? name.substr(0, name.size() - 3) : name;
 }
 
 // An array has the name in the head of its file, unless another has that too.
@@ -81,9 +89,7 @@ void nameFields(std::vector<FoamFieldFile>& fields)
 	std::multiset<std::string> taken;
 	for (FoamFieldFile& field : fields)
 	{
-		field.name = field.path.filename().string();
-		if (field.path.extension() == ".gz")
-			field.name.resize(field.name.size() - 3);
+		field.name = nameUnpacked(field.path);
 		taken.insert(field.name);
 		if (field.head.object != field.name)
 			taken.insert(field.head.object);
@@ -105,12 +111,22 @@ std::vector<FoamTime> foamTimes(const fs::path& folder)
 	return times;
 }
 
+double lastFoamTime(const std::vector<FoamTime>& times)
+{
+	return times.empty() ? -std::numeric_limits<double>::infinity() : times.back().value;
+}
+
+std::string FoamCase::nameOf(const fs::path& file) const
+{
+	return file.lexically_proximate(root_).string();
+}
+
 template <class Parse>
 auto FoamCase::parsed(const fs::path& file, const Parse& parse, const std::optional<std::string>& text) const
 {
 	try
 	{
-		return text ? parse(*text) : parse(text::MaybeGzip(file.string()).text());
+		return text ? parse(*text) : parse(FoamFileText(file, block_).text());
 	}
 	catch (const FoamUnknown&)
 	{
@@ -118,7 +134,7 @@ auto FoamCase::parsed(const fs::path& file, const Parse& parse, const std::optio
 	}
 	catch (const Refusal& refusal)
 	{
-		throw Refusal(fmt::format("its file {}: {}", file.lexically_proximate(folder_).string(), refusal.what()));
+		throw Refusal(fmt::format("its file {}: {}", nameOf(file), refusal.what()));
 	}
 }
 
@@ -127,7 +143,7 @@ auto FoamCase::parsedOfMesh(const std::string& region, const std::string& name, 
 {
 	const fs::path file = meshFile(region, name);
 	if (file.empty())
-		throw damaged("it has no polyMesh/" + name);
+		throw damaged("it has no " + fs::path(nameOf(folder_ / "polyMesh" / name)).lexically_normal().string());
 	return parsed(file, parse);
 }
 
@@ -190,6 +206,19 @@ FoamMesh FoamCase::mesh(const std::string& region) const
 	return mesh;
 }
 
+FoamNumbers FoamCase::numbers(const std::string& region) const
+{
+	const fs::path folder = meshFile(region, "faces").parent_path();
+	const auto read = [&](const char* name) -> std::vector<std::int64_t>
+	{
+		const fs::path file = thereOrPacked(folder / name);
+		if (file.empty())
+			return {};
+		return parsed(file, [](std::string_view text) { return foamLabels(text, text.size()); });
+	};
+	return {read("pointProcAddressing"), read("cellProcAddressing")};
+}
+
 std::vector<FoamFieldFile> FoamCase::fields(const std::string& region) const
 {
 	std::vector<FoamFieldFile> fields;
@@ -206,10 +235,11 @@ std::vector<FoamFieldFile> FoamCase::fields(const std::string& region) const
 			continue;
 		const std::string bytes = firstBytes(path);
 		if (is_packed && (bytes.empty() || entry.file_size(none) == 0))
-			throw damaged(fmt::format("its file {} ends early", path.lexically_proximate(folder_).string()));
+			throw damaged(fmt::format("its file {} ends early", nameOf(path)));
 		FoamFieldFile file = {path, {}, {}};
 		if (bytes.find("FoamFile") != bytes.npos)
-			file.head = parsed(path, foamHead, bytes);
+			file.head = parsed(
+			    path, [](std::string_view text) { return foamHead(foamFirstBlock(text)); }, bytes);
 		const bool is_field = file.head.type.find("Field") != std::string::npos;
 		if (is_field || bytes.empty()) // others are texts of somebody's, and dictionaries
 			fields.push_back(std::move(file));
@@ -219,11 +249,21 @@ std::vector<FoamFieldFile> FoamCase::fields(const std::string& region) const
 	return fields;
 }
 
+FoamFieldFile FoamCase::sameField(const FoamFieldFile& of_other, const std::string& region) const
+{
+	const fs::path folder = folder_ / times_.back() / region;
+	FoamFieldFile own = of_other;
+	own.path = thereOrPacked(folder / nameUnpacked(of_other.path));
+	if (own.path.empty())
+		throw FoamUnknown(nameOf(folder) + " does not have it");
+	return own;
+}
+
 FoamField FoamCase::field(const FoamFieldFile& file, const FoamMesh& mesh) const
 {
 	const bool is_of_cells = file.head.type.starts_with("vol");
 	const std::size_t elements = is_of_cells ? mesh.cells : mesh.points.size();
-	FoamFiles files = {file.path, fs::absolute(folder_).lexically_normal(), openSource};
+	FoamFiles files = {file.path, fs::absolute(root_).lexically_normal(), openSource};
 	return parsed(file.path,
 	              [&](std::string_view text)
 	              {

@@ -334,6 +334,16 @@ std::vector<std::int64_t> FoamCursor::labels(std::size_t most_equal)
 	return list;
 }
 
+std::string_view FoamCursor::block()
+{
+	const std::size_t size = checkedCount(integer(), 1);
+	expect('(');
+	const std::string_view bytes = text_.substr(at_, size);
+	at_ += bytes.size();
+	expect(')');
+	return bytes;
+}
+
 FoamFaces FoamCursor::faces(bool is_compact)
 {
 	FoamFaces faces;

@@ -55,6 +55,10 @@ public:
 	// Equal labels take no room: at most so many of them.
 	std::vector<std::int64_t> labels(std::size_t most_equal = 1 << 16);
 	FoamFaces faces(bool is_compact);
+	// Bytes in parentheses behind their number. They may be anything.
+	std::string_view block();
+	// All that is left.
+	std::string_view rest() const { return text_.substr(at_); }
 
 private:
 	double real();

@@ -3,6 +3,7 @@
 #include "foam_dictionary.h"
 #include "vprobe-read/base/refusal.h"
 
+#include <algorithm>
 #include <charconv>
 
 namespace vp::reader::codes
@@ -11,6 +12,7 @@ namespace vp::reader::codes
 namespace
 {
 
+// Returns -1 if there is no such number.
 std::int64_t wholeNumber(const FoamEntry* entry)
 {
 	std::int64_t number = -1;
@@ -21,9 +23,7 @@ std::int64_t wholeNumber(const FoamEntry* entry)
 		if (error != std::errc() || end != digits.data() + digits.size())
 			number = -1;
 	}
-	if (number < 0)
-		throw damaged("a patch has fewer than no faces, or no number of them");
-	return number;
+	return std::max<std::int64_t>(number, -1);
 }
 
 // "inGroups 2(wall hot)", with or without the count and the type before it.
@@ -87,13 +87,24 @@ std::vector<FoamPatch> foamPatches(std::string_view text)
 	{
 		if (!entry.dictionary)
 			throw damaged("a patch without its braces");
-		const FoamEntry* type = entry.dictionary->find("type");
+		const auto wordOf = [&](std::string_view key)
+		{
+			const FoamEntry* word = entry.dictionary->find(key);
+			return std::string(word && !word->tokens.empty() ? word->tokens[0].text : "");
+		};
 		FoamPatch patch;
 		patch.name = entry.key;
-		patch.type = type && !type->tokens.empty() ? type->tokens[0].text : "";
+		patch.type = wordOf("type");
 		patch.groups = wordsInParentheses(entry.dictionary->find("inGroups"));
 		patch.first = wholeNumber(entry.dictionary->find("startFace"));
 		patch.faces = wholeNumber(entry.dictionary->find("nFaces"));
+		if (patch.first < 0 || patch.faces < 0)
+			throw damaged("a patch has fewer than no faces, or no number of them");
+		if (patch.type.starts_with("processor"))
+		{
+			patch.part_behind = wholeNumber(entry.dictionary->find("neighbProcNo"));
+			patch.cyclic = wordOf("referPatch");
+		}
 		patches.push_back(std::move(patch));
 	}
 	return patches;

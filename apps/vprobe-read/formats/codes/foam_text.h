@@ -58,6 +58,9 @@ struct FoamPatch
 	std::vector<std::string> groups;
 	std::int64_t first = 0; // face
 	std::int64_t faces = 0;
+	// In a part of a decomposed case: the part behind its faces, or -1, and the cyclic patch that they are of, if any.
+	std::int64_t part_behind = -1;
+	std::string cyclic;
 };
 
 // A file's first bytes are enough.

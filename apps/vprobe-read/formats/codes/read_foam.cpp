@@ -1,8 +1,9 @@
 // OpenFOAM by parsers of our own. VTK's reader makes single precision of all numbers, knows few macros, and goes on
 // where it does not understand a field.
 #include "foam_averages.h"
-#include "foam_case.h"
 #include "foam_grid.h"
+#include "foam_parts.h"
+#include "foam_whole.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/formats/formats.h"
 #include "vprobe-read/manifest/manifest_writer.h"
@@ -33,11 +34,6 @@ namespace fs = std::filesystem;
 namespace
 {
 
-double lastTime(const std::vector<FoamTime>& times)
-{
-	return times.empty() ? -1.0 : times.back().value;
-}
-
 // The mesh of the case, or of one of its regions.
 bool hasMesh(const fs::path& folder)
 {
@@ -50,40 +46,58 @@ bool hasMesh(const fs::path& folder)
 	return false;
 }
 
-// The parts of a decomposed case lie in processor0, processor1 and so on, or all together in processorsN.
-void refuseDecomposed(const fs::path& folder, const std::vector<FoamTime>& times, manifest::Writer& manifest)
+// The files of the case at the time that is asked for. Where processors have later times than the case itself, or it
+// has no mesh, their parts are put together. Offers all times.
+FoamWhole chosenFiles(const fs::path& folder, const Request& request, manifest::Writer& manifest)
 {
-	double last = -1.0;
-	bool is_decomposed = false;
+	std::vector<FoamTime> all = foamTimes(folder);
+	FoamParts parts = foamParts(folder);
+	const bool has_mesh = hasMesh(folder);
+	const bool is_decomposed = !parts.places.empty() && (!has_mesh || lastFoamTime(parts.times) > lastFoamTime(all));
+	if (is_decomposed)
+	{
+		if (has_mesh && all.size() > 1)
+			manifest.warn(
+			    fmt::format("the parts of its {} processors are shown, since they have later times than the case "
+			                "itself; run reconstructPar to see both",
+			                parts.places.size()));
+		if (parts.unfinished > 0)
+			manifest.warn(fmt::format("left out: {} times that only some of its processors have", parts.unfinished));
+		all = std::move(parts.times);
+	}
 	std::error_code none;
-	for (const auto& entry : fs::directory_iterator(folder, none))
-		if (const std::string name = entry.path().filename().string();
-		    entry.is_directory() && name.starts_with("processor") && name.find_first_of("0123456789") != name.npos)
-		{
-			is_decomposed = true;
-			last = std::max(last, lastTime(foamTimes(entry.path())));
-		}
-	if (is_decomposed && !hasMesh(folder))
-		throw Refusal("a case that is decomposed among processors, which is not read; run reconstructPar (and "
-		              "reconstructParMesh, if that says so) in its folder");
-	if (is_decomposed && last > lastTime(times))
-		manifest.warn(
-		    fmt::format("its times up to {} lie with the processors and are not shown; run reconstructPar", last));
+	if (!is_decomposed && !fs::is_directory(folder / "constant", none))
+		throw damaged("constant/ is missing or cannot be opened");
+	std::vector<double> times;
+	for (const FoamTime& time : all)
+		times.push_back(time.value);
+	std::vector<std::string> names;
+	if (manifest::chooseIfAny(times, request))
+		for (std::size_t i = 0; i <= manifest::chooseStep(times, request); ++i)
+			names.push_back(all[i].name);
+	manifest.offerTimes(std::move(times));
+	if (!is_decomposed)
+		return FoamWhole(FoamCase(folder, {folder}, std::move(names)));
+	std::vector<FoamCase> cases;
+	for (FoamPlace& place : parts.places)
+		cases.emplace_back(folder, std::move(place), names);
+	return FoamWhole(std::move(cases));
 }
 
 // Reads the fields of a region that are wanted, and remembers why others are left out.
 class FoamFields
 {
 public:
-	FoamFields(const FoamCase& files, const FoamMesh& mesh, const ArrayWish& wish, manifest::Writer& manifest)
-	    : files_(files), mesh_(mesh), wish_(wish), manifest_(manifest)
+	FoamFields(const FoamWhole& files, const std::string& name, const FoamRegion& region, const ArrayWish& wish,
+	           manifest::Writer& manifest)
+	    : files_(files), name_(name), region_(region), mesh_(region.mesh), wish_(wish), manifest_(manifest)
 	{
 	}
 
-	void addTo(vtkUnstructuredGrid* grid, const std::string& region)
+	void addTo(vtkUnstructuredGrid* grid)
 	{
 		std::vector<FoamFieldFile> of_points;
-		for (FoamFieldFile& file : files_.fields(region))
+		for (FoamFieldFile& file : files_.fields(name_))
 			if (file.head.type.empty())
 				left_out_["an empty file"].push_back(file.name);
 			else if (foamComponentsOfField(file.head.type) == 0)
@@ -130,7 +144,7 @@ private:
 		attempt(file.name,
 		        [&]
 		        {
-			        const FoamField field = files_.field(file, mesh_);
+			        const FoamField field = files_.field(file, name_, region_);
 			        if (wants_cells)
 				        add(foamArray(*field.inside, mesh_.cells, file.head.isDouble()), file, grid->GetCellData());
 			        if (wants_points)
@@ -155,7 +169,8 @@ private:
 			attempt(file.name,
 			        [&]
 			        {
-				        add(foamArray(*files_.field(file, mesh_).inside, mesh_.points.size(), file.head.isDouble()),
+				        add(foamArray(*files_.field(file, name_, region_).inside, mesh_.points.size(),
+				                      file.head.isDouble()),
 				            file, grid->GetPointData());
 				        has_shown_ = true;
 			        });
@@ -167,7 +182,9 @@ private:
 		fields->AddArray(array);
 	}
 
-	const FoamCase& files_;
+	const FoamWhole& files_;
+	const std::string& name_; // of the region
+	const FoamRegion& region_;
 	const FoamMesh& mesh_;
 	const ArrayWish& wish_;
 	manifest::Writer& manifest_;
@@ -208,33 +225,24 @@ void readFoam(const Request& request, manifest::Writer& manifest)
 	fs::path folder = fs::path(request.file).parent_path();
 	if (folder.empty())
 		folder = ".";
-	const std::vector<FoamTime> all = foamTimes(folder);
-	refuseDecomposed(folder, all, manifest);
-	std::vector<double> times;
-	for (const FoamTime& time : all)
-		times.push_back(time.value);
-	std::vector<std::string> names;
-	if (manifest::chooseIfAny(times, request))
-		for (std::size_t i = 0; i <= manifest::chooseStep(times, request); ++i)
-			names.push_back(all[i].name);
-	std::error_code none;
-	if (!fs::is_directory(folder / "constant", none))
-		throw damaged("constant/ is missing or cannot be opened");
-	const FoamCase files(folder, names);
-	const std::vector<std::string> regions = files.regions();
-	if (regions.empty())
+	const FoamWhole files = chosenFiles(folder, request, manifest);
+	const std::vector<std::string> names = files.regions();
+	if (names.empty())
 		throw damaged("no constant/polyMesh with cells beside it");
-	for (const std::string& region : regions)
+	for (const std::string& name : names)
 	{
-		const FoamMesh mesh = files.mesh(region);
-		const vtkSmartPointer<vtkUnstructuredGrid> grid = foamGrid(mesh);
-		FoamFields(files, mesh, request.arrays, manifest).addTo(grid, region);
-		manifest.setPrefix(region.empty() ? "internalMesh" : region);
+		const FoamRegion region = files.region(name);
+		const vtkSmartPointer<vtkUnstructuredGrid> grid = foamGrid(region.mesh);
+		FoamFields(files, name, region, request.arrays, manifest).addTo(grid);
+		manifest.setPrefix(name.empty() ? "internalMesh" : name);
 		manifest.add(grid);
 		if (request.patches)
-			addFoamPatches(mesh, manifest);
+			addFoamPatches(region.mesh, manifest);
+		if (!region.has_numbers)
+			manifest.warn(
+			    "its points and cells are numbered one processor after the other, since the numbers that they "
+			    "have in the whole (cellProcAddressing, pointProcAddressing) are missing or do not fit");
 	}
-	manifest.offerTimes(std::move(times));
 }
 
 } // namespace vp::reader::codes

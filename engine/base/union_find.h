@@ -6,14 +6,14 @@
 #include <numeric>
 #include <vector>
 
-namespace vp::mesh
+namespace vp
 {
 
-// Sets of vertices, joined two by two; the least of a set stands for it.
+// Sets of things that are numbered from 0, joined two by two. The least of a set stands for it.
 class UnionFind
 {
 public:
-	explicit UnionFind(std::size_t vertices) : parent_(vertices), count_(vertices)
+	explicit UnionFind(std::size_t things) : parent_(things), count_(things)
 	{
 		std::iota(parent_.begin(), parent_.end(), 0u);
 	}
@@ -41,4 +41,4 @@ private:
 	std::size_t count_;
 };
 
-} // namespace vp::mesh
+} // namespace vp
