@@ -220,6 +220,47 @@ void writeFoam(const std::string& path)
 	              foamHead("dictionary", "controlDict") + "startTime 0;\nendTime 1;\ndeltaT 1;\nwriteInterval 1;\n");
 }
 
+// A cube of each of two processors, which share a face.
+void writeFoamParts(const std::string& path)
+{
+	writeContents(path, "");
+	for (std::size_t part = 0; part < 2; ++part)
+	{
+		const std::string folder = besideIt(path, "processor" + std::to_string(part) + "/");
+		const std::string mesh = folder + "constant/polyMesh/";
+		std::filesystem::create_directories(mesh);
+		std::filesystem::create_directories(folder + "0");
+		std::string points = foamHead("vectorField", "points") + "8\n(\n", numbers;
+		for (std::size_t p = 0; p < 8; ++p)
+		{
+			const std::size_t corner = part + p % 2 + 3 * (p / 2);
+			points += fmt::format("({} {} {})\n", corner % 3, corner / 3 % 2, corner / 6);
+			numbers += std::to_string(corner) + "\n";
+		}
+		// The face at the other cube last; both name its corners from the same one on.
+		const std::string faces = part == 0
+		                              ? "4(0 4 6 2)\n4(0 1 5 4)\n4(2 6 7 3)\n4(0 2 3 1)\n4(4 5 7 6)\n4(1 3 7 5)\n"
+		                              : "4(1 3 7 5)\n4(0 1 5 4)\n4(2 6 7 3)\n4(0 2 3 1)\n4(4 5 7 6)\n4(0 4 6 2)\n";
+		writeContents(mesh + "points", points + ")\n");
+		writeContents(mesh + "faces", foamHead("faceList", "faces") + "6\n(\n" + faces + ")\n");
+		writeContents(mesh + "owner", foamHead("labelList", "owner") + "6{0}\n");
+		writeContents(mesh + "neighbour", foamHead("labelList", "neighbour") + "0()\n");
+		writeContents(mesh + "pointProcAddressing",
+		              foamHead("labelList", "pointProcAddressing") + "8\n(\n" + numbers + ")\n");
+		writeContents(mesh + "cellProcAddressing",
+		              foamHead("labelList", "cellProcAddressing") + fmt::format("1({})\n", part));
+		writeContents(
+		    mesh + "boundary",
+		    foamHead("polyBoundaryMesh", "boundary") +
+		        "2\n(\nwalls\n{\n type wall;\n nFaces 5;\n startFace 0;\n}\nbetween\n{\n type processor;\n" +
+		        fmt::format(" nFaces 1;\n startFace 5;\n myProcNo {};\n neighbProcNo {};\n}}\n)\n", part, 1 - part));
+		writeContents(folder + "0/T",
+		              foamHead("volScalarField", "T") +
+		                  fmt::format("dimensions [0 0 0 1 0 0 0];\ninternalField uniform {}.5;\n", part + 1) +
+		                  "boundaryField\n{\n walls { type zeroGradient; }\n between { type processor; }\n}\n");
+	}
+}
+
 SampleFile sample(const std::string& name, std::function<void(const std::string&)> write)
 {
 	return {name, std::move(write), "", 0, 0, false, ""};
@@ -235,6 +276,7 @@ std::vector<SampleFile> formatSamples()
 	    sample("gold.case", writeBinaryGold),
 	    sample("text.case", writeTextGold),
 	    sample("case.foam", writeFoam),
+	    sample("parts.foam", writeFoamParts),
 	    sample("polyhedra.vtu", [](const std::string& p) { writeGrid(twoCubes(VTK_POLYHEDRON), p); }),
 	};
 	for (const CurvedKind& kind : curvedKinds())
