@@ -132,8 +132,11 @@ const char* whyTaken(Strategy strategy, const PlannedSheet& at)
 		return std::holds_alternative<PatchName>(*at.request.surface) ? "the faces of a patch are known"
 		                                                              : "cells of a grid index are known by subscripts";
 	case Strategy::scan:
-		return at.block.runs ? "in parts: the cells in the boxes that the sheet meets are looked at"
-		                     : "the only cut: every cell is looked at once";
+		if (!at.block.runs)
+			return "the only cut: every cell is looked at once";
+		return at.sheet->form && at.sheet->form->isoValue()
+		           ? "in parts: the cells in those that have values on both sides are looked at"
+		           : "in parts: the cells in the boxes that the sheet meets are looked at";
 	case Strategy::generations:
 		break;
 	}

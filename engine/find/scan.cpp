@@ -323,13 +323,24 @@ private:
 } // namespace
 
 template <class Surface>
+std::vector<std::uint32_t> runsMet(const grid::Block& block, const Surface& surface)
+{
+	if constexpr (surface::kIsCurved<Surface>)
+		if (const surface::BlockValues* of = surface.values())
+			return block.runs->holding(*of->field, of->component, of->value);
+	return block.runs->meeting(surface);
+}
+
+template <class Surface>
 Scan scanCells(const grid::Block& block, const Surface& surface, const seed::SheetWindow* window,
                const grid::CellFilter& filter)
 {
 	Scanner scanner(std::get<grid::UnstructuredGrid>(block.grid), block.bounds, surface, window, filter);
-	return block.runs ? scanner.scan(*block.runs, block.runs->meeting(surface)) : scanner.scan();
+	return block.runs ? scanner.scan(*block.runs, runsMet(block, surface)) : scanner.scan();
 }
 
+template std::vector<std::uint32_t> runsMet(const grid::Block&, const surface::Plane&);
+template std::vector<std::uint32_t> runsMet(const grid::Block&, const surface::BlockSurface&);
 template Scan scanCells(const grid::Block&, const surface::Plane&, const seed::SheetWindow*, const grid::CellFilter&);
 template Scan scanCells(const grid::Block&, const surface::BlockSurface&, const seed::SheetWindow*,
                         const grid::CellFilter&);

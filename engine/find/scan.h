@@ -27,13 +27,17 @@ struct Scan
 	std::vector<FlatFace> flat; // ascending by cell, then face
 };
 
+/// Returns the numbers of the runs of a block that a surface may meet, ascending: by their boxes, or by their values.
+/// The block must have runs.
+template <class Surface>
+std::vector<std::uint32_t> runsMet(const grid::Block& block, const Surface& surface);
+
 /// Looks at every cell of an unstructured grid once, in the order of the cells, on all cores: first at the side on
 /// which each point lies, then at the cells whose points lie on both. No neighbors, seeds or marks are needed. Cells
 /// and codes are those of breadthFirst(), without generations; cells that the filter rejects or that lie beside the
 /// window are left out of the list. The same result for any number of threads. Memory: a byte a point.
 ///
-/// If the block has runs, it looks at those alone that the surface may meet (grid::CellRuns::meeting()). They must have
-/// been fetched.
+/// If the block has runs, it looks at those of runsMet() alone. They must have been fetched.
 ///
 /// Throws grid::WrongPoint if the ids of the cells have not been checked, and one names no point.
 ///

@@ -48,6 +48,10 @@ public:
 		return met;
 	}
 	std::vector<std::uint32_t> all() const;
+	/// Returns the numbers of the runs, ascending, that have points on both sides of a value, or with that value. All
+	/// runs, if the file does not say which values its runs have. field: of points, as the block has it now. component:
+	/// 0.. or kMagnitude. Any thread may call it.
+	virtual std::vector<std::uint32_t> holding(const Field& field, int component, double value) const = 0;
 
 	/// Returns how many times its file has, at least one. Its cells are the same at all of them.
 	virtual std::size_t times() const = 0;

@@ -93,6 +93,7 @@ void PackedCells::fetch(std::span<const std::uint32_t> runs)
 		readValues(values);
 		read_ += values.runs.size();
 	}
+	checkRanges(runs);
 	announceNextTime();
 }
 

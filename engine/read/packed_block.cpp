@@ -71,7 +71,12 @@ PackedCells::ArrayLists arrayOf(const json& array)
 	field.type = numberTypeOf(array.at("type").get<std::string>());
 	PackedCells::ArrayLists lists{field, grid::byteSize(field.type) * static_cast<std::size_t>(field.components)};
 	for (const json& time : array.at("times"))
-		lists.times.push_back({countOf(time.at("offset")), factsOf(time.at("facts"), field.components)});
+	{
+		lists.times.push_back(
+		    {.offset = countOf(time.at("offset")), .facts = factsOf(time.at("facts"), field.components)});
+		if (time.contains("ranges"))
+			lists.times.back().ranges = countOf(time.at("ranges"));
+	}
 	return lists;
 }
 

@@ -3,6 +3,7 @@
 #include "grid/block.h"
 #include "read/cell_types.h"
 #include "read/check_mesh.h"
+#include "read/run_ranges.h"
 
 #include <algorithm>
 #include <limits>
@@ -111,7 +112,11 @@ void PackedCells::check()
 			throw Unusable("an array has not values at each time");
 		const bool is_of_points = array.field.association == Association::point;
 		for (std::size_t time = 0; time < times(); ++time)
+		{
 			fit(array.at(time), is_of_points ? points : rows);
+			if (const auto ranges = array.times[time].ranges)
+				fit({*ranges, bytesOfRanges(array.field)}, runs().size());
+		}
 		(is_of_points ? rows_of_values_.point : rows_of_values_.cell) += array.row_bytes;
 	}
 }
@@ -147,6 +152,7 @@ void PackedCells::goTo(std::size_t time, std::optional<std::size_t> next, grid::
 	contents_.time = time;
 	next_time_ = next;
 	has_values_ = nothing();
+	ranges_.clear();
 	takeMemoryOfValues();
 	grid::replaceFields(block, fields());
 }

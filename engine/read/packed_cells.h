@@ -10,7 +10,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <utility>
@@ -34,6 +36,8 @@ public:
 	struct ValueList
 	{
 		std::uint64_t offset = 0;
+		// Where the ranges of the values in each run lie, if the file tells them: RunRanges of docs/FORMATS.md.
+		std::optional<std::uint64_t> ranges{};
 		std::shared_ptr<const grid::ArrayFacts> facts{};
 	};
 	struct ArrayLists
@@ -75,6 +79,7 @@ public:
 	grid::Field cellNumbers() const;
 	std::vector<grid::Field> fields() const;
 
+	std::vector<std::uint32_t> holding(const grid::Field& field, int component, double value) const override;
 	std::size_t times() const override;
 	void goTo(std::size_t time, std::optional<std::size_t> next, grid::Block& block) override;
 	std::shared_ptr<const grid::ArrayFacts> factsAt(std::size_t time, const grid::Field& field) const override;
@@ -120,6 +125,12 @@ private:
 		std::size_t cell = 0;
 		std::size_t id = 0;
 	};
+	// The ranges of an array's values in each run, at the time that is wanted.
+	struct Ranges
+	{
+		std::vector<float> ends{};       // for each run and column the least and the greatest
+		std::vector<bool> are_checked{}; // for each run
+	};
 	using Memory = std::shared_ptr<SparseMemory>;
 	using Extents = std::vector<std::pair<std::uint64_t, std::uint64_t>>;
 
@@ -150,6 +161,9 @@ private:
 	std::uint64_t bytesOfRun(std::uint32_t run, const RowBytes& rows) const;
 	std::uint64_t bytesOf(const std::vector<bool>& runs, const RowBytes& rows) const;
 	void note(const Missing& read, const RowBytes& rows, Kept& kept);
+	std::optional<std::size_t> arrayOf(const grid::Field& field) const;
+	const Ranges* rangesOf(std::size_t array) const;
+	void checkRanges(std::span<const std::uint32_t> runs);
 
 	Contents contents_;
 	std::vector<Part> parts_;
@@ -163,6 +177,8 @@ private:
 	Memory has_point_, has_values_of_; // a bit for each point: it was read by an earlier fetch, and so were its values
 	Kept has_cells_, has_values_;      // values of nothing without cells
 	std::vector<bool> met_;
+	mutable std::mutex ranges_mutex_;
+	mutable std::map<std::size_t, Ranges> ranges_; // by the array; those that somebody asked for
 	std::uint64_t read_ = 0, bytes_read_ = 0;
 };
 

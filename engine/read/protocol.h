@@ -72,10 +72,10 @@ namespace vp::read
 // "part_first_ids", with which the ids of its points begin, and "part_first_ends", its first row in "ends". What else
 // it would have stays in the file: "lists" has the offsets of "points", "point_numbers", "ids", "cell_numbers", and of
 // "types" and "ends" where "type" is 0 (docs/FORMATS.md); each of the "arrays" has "times" and no "bytes": for each
-// time of the file an "offset" and "facts"; "time" is the index of the one that was asked for; and "pack" has no
-// "numbers". Other files are read as if PARTS was empty.
-// Started as "vprobe-read copies", it reads nothing and makes copies of itself, which are as if started with the
-// arguments above; see ready_reader.h.
+// time of the file an "offset" and "facts", and maybe "ranges", the offset of its RunRanges; "time" is the index of the
+// one that was asked for; and "pack" has no "numbers". Other files are read as if PARTS was empty. Started as
+// "vprobe-read copies", it reads nothing and makes copies of itself, which are as if started with the arguments above;
+// see ready_reader.h.
 constexpr int kProtocolVersion = 19;
 constexpr int kArraysFd = 3;
 constexpr int kManifestFd = 4;

@@ -2,6 +2,8 @@
 
 #include "base/progress.h"
 #include "base/timeline.h"
+#include "find/curved_sheet.h"
+#include "find/scan.h"
 #include "parts/kept_parts.h"
 #include "parts/stoppable.h"
 #include "session/session.h"
@@ -11,32 +13,38 @@
 #include <iterator>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace vp::session
 {
 
 bool looksAtCutAlone(const view::ViewSpec& spec)
 {
-	return meetsFewValues(spec) && !needsNeighbors(spec) && !spec.input.displace && spec.input.displace_by.empty() &&
-	       !spec.input.cell_to_point && !spec.look.logarithmic && !spec.machine.visited &&
-	       spec.machine.classify != view::Classify::gpu;
+	return looksAtSheetsAlone(spec) && !needsNeighbors(spec) && !spec.input.displace &&
+	       spec.input.displace_by.empty() && !spec.input.cell_to_point && !spec.look.logarithmic &&
+	       !spec.machine.visited && spec.machine.classify != view::Classify::gpu;
 }
 
-std::vector<std::uint32_t> runsMet(const grid::CellRuns& runs, const probe::Probe& probe)
+std::vector<std::vector<std::uint32_t>> runsMet(const grid::BlockSet& blocks, const cut::CutRequest& request)
 {
-	std::vector<std::uint32_t> met;
-	for (const probe::Sheet& placed : probe::placed(probe).sheets)
+	std::vector<std::vector<std::uint32_t>> met(blocks.blocks.size());
+	const std::vector<probe::Sheet> sheets = probe::placed(request.probe).sheets;
+	for (std::size_t s = 0; s < sheets.size(); ++s)
 	{
-		const auto meeting = [&]
+		std::vector<surface::BlockSurface> surfaces;
+		if (sheets[s].form)
+			surfaces = find::surfacesOf(blocks, sheets[s], request.fieldOf(s));
+		for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
 		{
-			if (!placed.form)
-				return runs.meeting(probe::content(placed).plane());
-			return std::visit([&](auto&& curved) { return runs.meeting(surface::BlockSurface(curved)); },
-			                  placed.form->placed(placed.axes()));
-		};
-		std::vector<std::uint32_t> joined;
-		std::ranges::set_union(met, meeting(), std::back_inserter(joined));
-		met = std::move(joined);
+			if (!blocks.blocks[b].runs)
+				continue;
+			const std::vector<std::uint32_t> more =
+			    sheets[s].form ? find::runsMet(blocks.blocks[b], surfaces[b])
+			                   : find::runsMet(blocks.blocks[b], probe::content(sheets[s]).plane());
+			std::vector<std::uint32_t> joined;
+			std::ranges::set_union(met[b], more, std::back_inserter(joined));
+			met[b] = std::move(joined);
+		}
 	}
 	return met;
 }
@@ -60,12 +68,17 @@ Result<bool> Session::changesBlocksFor(const FrameRequest& request) const
 	const Result<bool> lacks = needsNeighborsFor(request);
 	if (!lacks || *lacks || !grid::lacksParts(blocks_))
 		return lacks;
-	const auto changes = [&](const grid::Block& block)
-	{
-		return block.runs && mustLetGo(*block.runs, block.runs->all()) &&
-		       mustLetGo(*block.runs, runsMet(*block.runs, cutRequest(request).probe));
-	};
-	return !looksAtCutAlone(spec_) || std::ranges::any_of(blocks_.blocks, changes);
+	if (!looksAtCutAlone(spec_))
+		return true;
+	const auto fitsWhole = [](const grid::Block& block)
+	{ return !block.runs || !mustLetGo(*block.runs, block.runs->all()); };
+	if (std::ranges::all_of(blocks_.blocks, fitsWhole))
+		return false;
+	const std::vector<std::vector<std::uint32_t>> met = runsMet(blocks_, cutRequest(request));
+	for (std::size_t b = 0; b < met.size(); ++b)
+		if (!fitsWhole(blocks_.blocks[b]) && mustLetGo(*blocks_.blocks[b].runs, met[b]))
+			return true;
+	return false;
 }
 
 // Reads what the frame needs of cells that are still in their file: those that it meets, or all.
@@ -77,11 +90,13 @@ Status Session::readParts(const FrameRequest& request, const std::stop_token& st
 	if (*lacks || !looksAtCutAlone(spec_))
 		return readAllParts(stop);
 	const TimedSection section(timeline_.get(), "read");
-	for (grid::Block& block : blocks_.blocks)
+	const std::vector<std::vector<std::uint32_t>> met_of_blocks = runsMet(blocks_, cutRequest(request));
+	for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
 	{
+		grid::Block& block = blocks_.blocks[b];
+		const std::vector<std::uint32_t>& met = met_of_blocks[b];
 		if (!block.runs)
 			continue;
-		const std::vector<std::uint32_t> met = runsMet(*block.runs, cutRequest(request).probe);
 		std::optional<Progress> progress;
 		if (block.runs->bytesAfter(met) > block.runs->bytesAfter({}) + kTold)
 			progress.emplace("reading parts");

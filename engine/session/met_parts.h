@@ -1,7 +1,7 @@
 #pragma once
 
-#include "grid/cell_runs.h"
-#include "probe/probe.h"
+#include "cut/request.h"
+#include "grid/block.h"
 #include "view/view_spec.h"
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace vp::session
 /// Returns true if frames by the settings look at nothing but cells that the sheets meet, where they are in the file.
 bool looksAtCutAlone(const view::ViewSpec& spec);
 
-/// Returns the numbers of the runs that some sheet of a probe may meet, ascending.
-std::vector<std::uint32_t> runsMet(const grid::CellRuns& runs, const probe::Probe& probe);
+/// For each block the numbers of the runs that some sheet of a cut may meet, ascending. Empty for blocks without runs.
+std::vector<std::vector<std::uint32_t>> runsMet(const grid::BlockSet& blocks, const cut::CutRequest& request);
 
 } // namespace vp::session

@@ -72,6 +72,14 @@ std::size_t PackDivision::allIds() const
 	return sum;
 }
 
+std::size_t PackDivision::allRuns() const
+{
+	std::size_t sum = 0;
+	for (const std::vector<PackRun>& of_part : runs_)
+		sum += of_part.size();
+	return sum;
+}
+
 void PackDivision::forEach(std::size_t count, const std::function<void(std::size_t)>& work) const
 {
 	quick::Tasks tasks(threads_);

@@ -54,6 +54,7 @@ public:
 	std::size_t ids(std::size_t part) const;
 	std::size_t allPoints() const; // the sum over all parts
 	std::size_t allIds() const;
+	std::size_t allRuns() const;
 
 	// Counts the cells that nobody sees.
 	struct LeftOut

@@ -3,9 +3,6 @@
 #include "grid/labels.h"
 #include "hdf5_output.h"
 
-#include <vtkDataArray.h>
-
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -13,20 +10,15 @@
 namespace vp::reader::convert
 {
 
-void PackFacts::include(vtkDataArray& values)
+void PackFacts::include(const grid::Field& field)
 {
-	grid::Field field;
-	field.components = components_;
-	field.type = type_;
-	field.bytes = {nullptr, static_cast<const std::byte*>(values.GetVoidPointer(0)),
-	               static_cast<std::size_t>(values.GetNumberOfValues()) * grid::byteSize(type_)};
-	for (int component = 0; component <= components_; ++component)
+	for (int component = 0; component <= field.components; ++component)
 	{
-		const auto span = grid::valueSpan(field, component == components_ ? grid::kMagnitude : component);
+		const auto span = grid::valueSpan(field, component == field.components ? grid::kMagnitude : component);
 		spans_.insert(spans_.end(),
 		              {span.lo, span.hi, span.minus_infinity ? 1.0 : 0.0, span.plus_infinity ? 1.0 : 0.0});
 	}
-	if (components_ > 1 || type_ >= grid::NumberType::float32)
+	if (field.components > 1 || field.type >= grid::NumberType::float32)
 		return;
 	const grid::Distinct found = grid::distinctValues(field, grid::kMaxCategories);
 	const std::span different(found.values.data(), found.count);
@@ -36,9 +28,8 @@ void PackFacts::include(vtkDataArray& values)
 	changes_.insert(changes_.end(), {changes.all, changes.to_next});
 }
 
-void PackFacts::write(hid_t group, const std::string& name, bool with_times) const
+void PackFacts::write(hid_t facts, bool with_times) const
 {
-	const Handle facts(H5Gcreate2(group, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
 	writeValues(facts, "Spans", H5T_NATIVE_DOUBLE, {spans_.size() / 4, 4}, spans_.data());
 	if (changes_.empty())
 		return;

@@ -3,12 +3,9 @@
 #include "grid/field.h"
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include <hdf5.h>
-
-class vtkDataArray;
 
 namespace vp::reader::convert
 {
@@ -17,16 +14,12 @@ namespace vp::reader::convert
 class PackFacts
 {
 public:
-	PackFacts(int components, grid::NumberType type) : components_(components), type_(type) {}
-
 	// Takes the values at the next time.
-	void include(vtkDataArray& values);
-	// Makes the array's group. Throws NoRoom.
-	void write(hid_t group, const std::string& name, bool with_times) const;
+	void include(const grid::Field& values);
+	// Writes into the array's group. Throws NoRoom.
+	void write(hid_t group, bool with_times) const;
 
 private:
-	int components_;
-	grid::NumberType type_;
 	std::vector<double> spans_; // rows of four
 	std::vector<double> values_;
 	std::vector<std::uint32_t> value_counts_; // for each time

@@ -5,9 +5,12 @@
 #include "pack_division.h"
 #include "pack_facts.h"
 #include "pack_head.h"
+#include "pack_ranges.h"
 #include "pack_times.h"
 #include "vprobe-read/arrays/value_image.h"
 #include "vprobe-read/base/refusal.h"
+
+#include "read/run_ranges.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -21,6 +24,7 @@
 #include <array>
 #include <deque>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -42,6 +46,13 @@ void put(const void* from, std::size_t bytes, Bytes& to)
 {
 	const auto* first = static_cast<const std::byte*>(from);
 	to.insert(to.end(), first, first + bytes);
+}
+
+Array<std::byte> bytesOf(vtkDataArray& values)
+{
+	const auto size =
+	    static_cast<std::size_t>(values.GetNumberOfValues()) * static_cast<std::size_t>(values.GetDataTypeSize());
+	return {nullptr, static_cast<const std::byte*>(values.GetVoidPointer(0)), size};
 }
 
 // A list of the file: a row for each point, cell, or corner of a cell.
@@ -70,8 +81,8 @@ public:
 		writeAttribute(own_, "Version", H5T_NATIVE_INT64, std::array<std::int64_t, 2>{times_.areSeveral() ? 2 : 1, 0});
 		writePackHead(grid_, division_, partitions_, root_, own_);
 		addCells(root_, own_);
-		addArrays(root_, "PointData", grid_->GetPointData(), true);
-		addArrays(root_, "CellData", grid_->GetCellData(), false);
+		addArrays("PointData", grid_->GetPointData(), true);
+		addArrays("CellData", grid_->GetCellData(), false);
 		if (times_.areSeveral())
 			writeSteps(root_);
 		writeColumns(columns_);
@@ -84,11 +95,15 @@ public:
 		std::deque<Column> columns;
 		for (PackedArray& array : arrays_)
 		{
-			vtkDataArray* values = times_.valuesAt(time, grid, array.values, array.on_points);
-			array.facts.include(*values);
-			const auto* from = static_cast<const std::byte*>(values->GetVoidPointer(0));
-			const std::size_t bytes = static_cast<std::size_t>(values->GetNumberOfComponents()) *
-			                          static_cast<std::size_t>(values->GetDataTypeSize());
+			array.field.bytes = bytesOf(*times_.valuesAt(time, grid, array.values, array.on_points));
+			array.facts.include(array.field);
+			const std::byte* from = array.field.bytes.data();
+			const std::size_t bytes =
+			    static_cast<std::size_t>(array.field.components) * grid::byteSize(array.field.type);
+			if (array.ranges)
+				columns.push_back({&*array.ranges, read::bytesOfRanges(array.field),
+				                   [this, &array](std::size_t part, Bytes& to)
+				                   { gatherRanges(division_, part, array.field, to); }});
 			columns.push_back({&array.rows, bytes,
 			                   [this, from, bytes, on_points = array.on_points](std::size_t part, Bytes& to)
 			                   {
@@ -104,10 +119,8 @@ public:
 	// Writes what is known when all values were written.
 	void writeFacts() const
 	{
-		const Handle of_points = groupInOrder(own_, "PointData");
-		const Handle of_cells = groupInOrder(own_, "CellData");
 		for (const PackedArray& array : arrays_)
-			array.facts.write(array.on_points ? of_points : of_cells, array.name, times_.areSeveral());
+			array.facts.write(array.own, times_.areSeveral());
 	}
 
 private:
@@ -194,9 +207,9 @@ private:
 		    });
 	}
 
-	void addArrays(hid_t root, const char* name, vtkDataSetAttributes* fields, bool on_points)
+	void addArrays(const char* name, vtkDataSetAttributes* fields, bool on_points)
 	{
-		const Handle values = groupInOrder(root, name);
+		const Handle values = groupInOrder(root_, name), own = groupInOrder(own_, name);
 		for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
 		{
 			vtkDataArray* array = fields->GetArray(i);
@@ -214,7 +227,14 @@ private:
 			                   .name = plain,
 			                   .rows = RowWriter(values, plain.c_str(), typeOf(array->GetDataType()), std::move(sides)),
 			                   .rows_of_time = rows,
-			                   .facts = PackFacts(static_cast<int>(components), *type)});
+			                   .own = groupInOrder(own, plain.c_str())});
+			PackedArray& added = arrays_.back();
+			added.field.components = static_cast<int>(components);
+			added.field.type = *type;
+			if (on_points)
+				added.ranges.emplace(added.own, "RunRanges", H5T_NATIVE_FLOAT,
+				                     std::vector<hsize_t>{division_.allRuns() * times_.count(),
+				                                          2 * read::columnsOfRanges(added.field.components)});
 		}
 	}
 
@@ -270,7 +290,10 @@ private:
 		std::string name; // in the pack
 		RowWriter rows;
 		hsize_t rows_of_time;
-		PackFacts facts;
+		Handle own;          // the group with what a pack says of it
+		grid::Field field{}; // its values at the time that is written
+		PackFacts facts{};
+		std::optional<RowWriter> ranges{}; // of the values in each run, at points
 	};
 
 	vtkUnstructuredGrid* grid_;
@@ -281,7 +304,7 @@ private:
 	PackPartitions partitions_;
 	std::deque<RowWriter> lists_;
 	std::deque<Column> columns_; // lists of points and cells
-	std::vector<PackedArray> arrays_;
+	std::deque<PackedArray> arrays_;
 };
 
 vtkUnstructuredGrid* gridOf(const KeptBlock& block)

@@ -60,7 +60,7 @@ struct FoamPatch
 	std::int64_t faces = 0;
 	// In a part of a decomposed case: the part behind its faces, or -1, and the cyclic patch that they are of, if any.
 	std::int64_t part_behind = -1;
-	std::string cyclic;
+	std::string cyclic{};
 };
 
 // A file's first bytes are enough.

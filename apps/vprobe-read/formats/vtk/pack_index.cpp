@@ -1,6 +1,7 @@
 #include "pack_index.h"
 
 #include "read/cell_types.h"
+#include "read/run_ranges.h"
 #include "vprobe-read/base/refusal.h"
 
 #include <fmt/format.h>
@@ -105,6 +106,19 @@ hdf5::Rows PackIndex::rowsOf(const PackedArray& array, std::size_t time) const
 {
 	hdf5::Rows rows(file_, descriptor_, root_ + "/" + array.association + "Data/" + array.name, array.type);
 	rows.narrow(array.first_rows[time], array.association == "Point" ? parts_.all_points : parts_.all_cells);
+	return rows;
+}
+
+std::optional<hdf5::Rows> PackIndex::rangesOf(const PackedArray& array, std::size_t time) const
+{
+	const std::string path = own_ + "/" + array.association + "Data/" + array.name + "/RunRanges";
+	if (array.association != "Point" || !file_.has(path))
+		return std::nullopt;
+	hdf5::Rows rows(file_, descriptor_, path, NumberType::float32);
+	if (rows.components() != 2 * read::columnsOfRanges(static_cast<int>(array.components)) ||
+	    rows.size() != runs_.size() * times())
+		throw damaged(fmt::format("{} does not match its array", path));
+	rows.narrow(steps_[time] * runs_.size(), runs_.size());
 	return rows;
 }
 

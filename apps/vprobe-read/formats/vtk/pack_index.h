@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -80,6 +81,8 @@ public:
 	                  std::uint64_t components = 1) const;
 	// Returns the values of an array at a time, which has a number from 0.
 	hdf5::Rows rowsOf(const PackedArray& array, std::size_t time) const;
+	// Returns the ranges of these values in each run (read::bytesOfRanges()); nothing if the pack has none.
+	std::optional<hdf5::Rows> rangesOf(const PackedArray& array, std::size_t time) const;
 	std::size_t times() const { return steps_.size(); }
 	std::size_t time() const { return time_; } // the one that was asked for
 	grid::NumberType typeOfPoints() const;

@@ -78,7 +78,11 @@ std::optional<json> describePlaces(const PackIndex& index, const std::string& fi
 			continue;
 		json times = json::array();
 		for (std::size_t time = 0; time < index.times(); ++time)
+		{
 			times.push_back({{"offset", offsetOf(index.rowsOf(array, time))}, {"facts", array.facts[time]}});
+			if (const std::optional<hdf5::Rows> ranges = index.rangesOf(array, time); ranges && ranges->plainOffset())
+				times.back()["ranges"] = *ranges->plainOffset();
+		}
 		arrays.push_back({{"name", array.name},
 		                  {"association", array.association == "Point" ? "point" : "cell"},
 		                  {"components", array.components},
