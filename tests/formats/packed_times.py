@@ -49,6 +49,7 @@ def all_times_are_those_of_the_input(folder):
         for cut in tried(CUTS[:4]):
             for array in (['--array', 'f'], ['--array', 'material'], ['--threshold', '20', '60']):
                 same_figures(path, pack, [*cut, *array, *time], folder)
+        same_figures(path, pack, ['--array', 'f', '--iso', '31', *time], folder)
         assert polygons(pack, CUTS[0] + time, folder / 'a.vtp') == polygons(path, CUTS[0] + time, folder / 'b.vtp')
     # The copy of a time has no others.
     vprobe('pack', path, '-o', folder / 'one.vtkhdf', '--time', '0.5')

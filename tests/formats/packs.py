@@ -115,10 +115,43 @@ def packs_are_swept_as_their_inputs(folder, cases=(['--memory', '300K'], [], ['-
             assert parts[0]['kept'] < read == last['kept'] <= last['all'], (read, parts)
 
 
+def packs_show_one_value(folder):
+    """Parts are read whose values lie on both sides; all, if the pack does not say which."""
+    h5py, meshio, numpy = need('h5py'), need('meshio'), need('numpy')
+    path, pack = packed(folder, '--part', '64')
+    mesh = meshio.read(path)
+    mesh.point_data['n'] = numpy.where(mesh.points[:, 0] < 1.2, numpy.nan, mesh.points[:, 2] - 3)
+    mesh.point_data['i'] = numpy.arange(len(mesh.points), dtype='i2') % 50
+    meshio.write(path, mesh)
+    vprobe('pack', path, '-o', pack, '--part', '64')
+    cases = [['--array', 'f', '--iso', value] for value in ('200', '31.5', '-1e9')]
+    cases += [['--array', 'n', '--iso', '0'], ['--array', 'i', '--iso', '25'], ['--array', 'v', '--iso', '2'],
+              ['--array', 'v', '--component', 'y', '--iso', '0.25'], ['--array', 'f', '--iso', '60', '--normal', '1', '0', '0']]
+    for options in tried(cases):
+        parts = same_figures(path, pack, options, folder)
+        assert parts['read'] == parts['met'] < parts['all'] or 'i' in options or 'v' in options, (options, parts)
+        assert polygons(pack, options, folder / 'a.vtp') == polygons(path, options, folder / 'b.vtp'), options
+    box, options = folder / 'box.vtkhdf', ['--array', 's', '--iso', '0.1']
+    vprobe('pack', 'demo:tets:16', '-o', box, '--part', '256')
+    parts = same_figures('demo:tets:16', box, options, folder)
+    assert 0 < parts['read'] < 0.7 * parts['all'], parts
+    with h5py.File(box, 'r+') as file:
+        values = file['VTKHDF/PointData/s']
+        kept = values[...]
+        values[...] = kept + 0.05  # and the ranges are as they were
+    done = subprocess.run([VPROBE, 'slice', box, *options, '--stats', '-'], capture_output=True, encoding='utf-8')
+    assert done.returncode == 2 and 'lies outside the range of its cells' in done.stderr, done
+    with h5py.File(box, 'r+') as file:
+        file['VTKHDF/PointData/s'][...] = kept
+        del file['vprobe/PointData/s/RunRanges']
+    parts = same_figures('demo:tets:16', box, options, folder)
+    assert parts['read'] == parts['all'], parts
+
+
 def packs_are_whole_where_that_is_asked(folder):
     """What looks beyond the cut cells reads all parts, as all other commands do."""
     path, pack = packed(folder, '--part', '64')
-    for options in (['--crinkle'], ['--threshold', '30', '400'], ['--iso', '200'], ['--strategy', 'cells'],
+    for options in (['--crinkle'], ['--threshold', '30', '400'], ['--strategy', 'cells'],
                     ['--seeds', 'boundary'], ['--cell-to-point', '--array', 'g']):
         done = [subprocess.run([VPROBE, 'slice', each, *options, '--stats', folder / 's.json'], capture_output=True,
                                encoding='utf-8') for each in (path, pack)]
@@ -348,6 +381,7 @@ def damaged_packs_are_refused(folder):
         'no numbers of all': shorten('vprobe/CellNumbers'), 'points missing': shorten('VTKHDF/Points'),
         'no part of all': shorten('vprobe/PartCells'), 'another part': change('vprobe/PartPoints', 0, 3),
         'no numbers': remove('vprobe/PointNumbers'), 'no ranges': remove('vprobe/PointData/f/Spans'),
+        'no ranges of all': shorten('vprobe/PointData/f/RunRanges'),
         'offsets that fall': change('VTKHDF/Offsets', 2, 100000), 'a wrong count': change('VTKHDF/NumberOfCells', 0, 1),
         'ranges turned': change('vprobe/PointData/f/Spans', (0, 0), 1e30)}
     for name, damage in tried(list(damages.items())):
@@ -377,7 +411,7 @@ def packing_refuses(folder):
         assert not (folder / 'a.vtkhdf').exists()
 
 
-CASES = [packs_are_cut_as_their_inputs, packs_read_what_is_cut, packs_are_swept_as_their_inputs,
+CASES = [packs_are_cut_as_their_inputs, packs_read_what_is_cut, packs_are_swept_as_their_inputs, packs_show_one_value,
          packs_are_whole_where_that_is_asked, packs_look_like_their_inputs, packs_tell_cells_that_are_left_out,
          packs_keep_what_is_odd, packs_are_converted_and_packed_again, arrays_that_become_alike_are_kept,
          vtk_reads_packs, parts_of_several_partitions, packs_in_chunks, damaged_packs_are_refused, packing_refuses]

@@ -10,9 +10,9 @@ namespace vp::reader::convert
 
 class PackDivision;
 
-// Appends to a list of floats between which values those of the points of each run of a part lie: for each component,
-// and for the length of a tuple if there are several, the least and the greatest finite one, rounded outwards. values:
-// of the points of the grid.
+// Appends floats that tell between which values those of the points of each run of a part lie: for each component, and
+// for the length of a tuple if there are several, the least and the greatest finite one, rounded outwards. `values`
+// are those of the points of the grid.
 void gatherRanges(const PackDivision& division, std::size_t part, const grid::Field& values,
                   std::vector<std::byte>& to);
 

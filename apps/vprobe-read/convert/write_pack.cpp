@@ -293,7 +293,7 @@ private:
 		Handle own;          // the group with what a pack says of it
 		grid::Field field{}; // its values at the time that is written
 		PackFacts facts{};
-		std::optional<RowWriter> ranges{}; // of the values in each run, at points
+		std::optional<RowWriter> ranges{}; // for values of points: between which those of each run lie
 	};
 
 	vtkUnstructuredGrid* grid_;

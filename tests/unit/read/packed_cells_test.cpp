@@ -108,6 +108,44 @@ struct AcrossX
 
 } // namespace
 
+// The first tetrahedron has values from 0 to 30, and the second from 10 to 40; one later they are greater by one.
+TEST(PackedCells, KnowWhichRunsHoldAValue)
+{
+	using Runs = std::vector<std::uint32_t>;
+	TwoParts two;
+	PackedCells::Contents contents = two.contents();
+	PackedCells told(contents);
+	EXPECT_EQ(told.holding(told.fields()[0], 0, 99.0), told.all()); // the file does not say
+
+	contents.arrays[0].times[0].ranges = two.list(std::vector<float>{0, 30, 10, 40}, 1).offset;
+	contents.arrays[0].times[1].ranges = two.list(std::vector<float>{1, 31, 11, 40}, 1).offset; // 41 in truth
+	writeContents(two.path, two.bytes);
+	contents.file = std::make_shared<const parts::OpenFile>(two.path);
+	const auto cells = std::make_shared<PackedCells>(contents);
+	const auto holding = [&](double value) { return cells->holding(cells->fields()[0], 0, value); };
+	EXPECT_EQ(holding(-1.0), Runs{});
+	EXPECT_EQ(holding(0.0), Runs{0});
+	EXPECT_EQ(holding(9.5), Runs{0});
+	EXPECT_EQ(holding(10.0), (Runs{0, 1}));
+	EXPECT_EQ(holding(30.5), Runs{1});
+	EXPECT_EQ(holding(40.5), Runs{});
+	EXPECT_EQ(cells->holding(cells->fields()[0], grid::kMagnitude, 99.0), cells->all());
+	EXPECT_EQ(cells->holding(cells->fields()[1], 0, 99.0), cells->all()); // values of cells
+	fetch(*cells, {0, 1});
+
+	grid::Block block = blockOf(cells);
+	const grid::Field before = block.fields[0];
+	cells->goTo(1, {}, block);
+	EXPECT_EQ(holding(0.5), Runs{});
+	EXPECT_EQ(holding(9.5), Runs{0});
+	EXPECT_EQ(cells->holding(before, 0, 99.0), cells->all()); // another time has its own
+	fetch(*cells, {0});
+	EXPECT_THROW(fetch(*cells, {1}), parts::Unreadable); // its 41 lies outside
+
+	contents.arrays[0].times[1].ranges = two.bytes.size() - 8; // room for one run
+	EXPECT_THROW(PackedCells cut(contents), Unusable);
+}
+
 TEST(PackedCells, AreReadRunByRun)
 {
 	for (const std::uint8_t type : {grid::kTetra, std::uint8_t(0)}) // told of all, or of each

@@ -54,7 +54,7 @@ double lastFoamTime(const std::vector<FoamTime>& times);
 struct FoamPlace
 {
 	std::filesystem::path folder;
-	std::optional<std::size_t> block = std::nullopt; // of each file, if processors share them
+	std::optional<std::size_t> block = std::nullopt; // its number in each file, if processors share them
 };
 
 // The files of a case, or of one part of it, at one time. The default region has no name.

@@ -311,7 +311,7 @@ private:
 	FoamRegion& region_;
 	std::vector<FoamMesh>& parts_;
 	std::vector<FoamNumbers> told_;
-	std::vector<std::size_t> first_points_ = {0}; // of each part, where all points are in a row
+	std::vector<std::size_t> first_points_ = {0}; // where the points of each part begin, all in a row
 	std::vector<Pair> pairs_;
 	std::size_t cells_ = 0;
 };

@@ -20,7 +20,7 @@ struct FoamRegion
 {
 	FoamMesh mesh;
 	std::vector<FoamMesh> parts;      // without their faces
-	std::vector<FoamNumbers> numbers; // of the parts' points and cells in the whole
+	std::vector<FoamNumbers> numbers; // that the parts' points and cells have in the whole
 	bool has_numbers = true;          // false if the numbers are this program's, not the case's
 	// For each patch of the whole: those that its faces come from, in the order of the faces.
 	std::vector<std::vector<FoamPatchOfPart>> patches;

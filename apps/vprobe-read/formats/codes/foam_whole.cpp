@@ -1,5 +1,7 @@
 #include "foam_whole.h"
 
+#include "vprobe-read/quick/tasks.h"
+
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -76,6 +78,13 @@ FoamField joinFoamFields(const FoamRegion& region, const std::vector<FoamField>&
 
 } // namespace
 
+void FoamWhole::forEachPart(const std::function<void(std::size_t)>& read) const
+{
+	quick::Tasks tasks(threads_);
+	tasks.add(parts_.size(), [&read](std::size_t part, arrays::Scratch&) { read(part); });
+	tasks.run();
+}
+
 std::vector<std::string> FoamWhole::regions() const
 {
 	std::set<std::string> names;
@@ -93,13 +102,14 @@ FoamRegion FoamWhole::region(const std::string& name) const
 		region.mesh = parts_[0].mesh(name);
 		return region;
 	}
-	std::vector<FoamMesh> meshes;
-	std::vector<FoamNumbers> numbers;
-	for (const FoamCase& part : parts_)
-	{
-		meshes.push_back(part.mesh(name));
-		numbers.push_back(part.numbers(name));
-	}
+	std::vector<FoamMesh> meshes(parts_.size());
+	std::vector<FoamNumbers> numbers(parts_.size());
+	forEachPart(
+	    [&](std::size_t p)
+	    {
+		    meshes[p] = parts_[p].mesh(name);
+		    numbers[p] = parts_[p].numbers(name);
+	    });
 	return joinFoamParts(std::move(meshes), std::move(numbers));
 }
 
@@ -107,9 +117,8 @@ FoamField FoamWhole::field(const FoamFieldFile& file, const std::string& name, c
 {
 	if (!is_decomposed_)
 		return parts_[0].field(file, region.mesh);
-	std::vector<FoamField> fields;
-	for (std::size_t p = 0; p < parts_.size(); ++p)
-		fields.push_back(parts_[p].field(parts_[p].sameField(file, name), region.parts[p]));
+	std::vector<FoamField> fields(parts_.size());
+	forEachPart([&](std::size_t p) { fields[p] = parts_[p].field(parts_[p].sameField(file, name), region.parts[p]); });
 	return joinFoamFields(region, fields, file.head.type.starts_with("vol"));
 }
 

@@ -3,6 +3,8 @@
 #include "foam_case.h"
 #include "foam_join.h"
 
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,7 +17,11 @@ class FoamWhole
 {
 public:
 	explicit FoamWhole(FoamCase whole) : parts_({std::move(whole)}) {}
-	explicit FoamWhole(std::vector<FoamCase> parts) : parts_(std::move(parts)), is_decomposed_(true) {}
+	// threads: the most that read parts side by side.
+	FoamWhole(std::vector<FoamCase> parts, int threads)
+	    : parts_(std::move(parts)), threads_(threads), is_decomposed_(true)
+	{
+	}
 
 	std::vector<std::string> regions() const;
 	FoamRegion region(const std::string& name) const;
@@ -25,7 +31,10 @@ public:
 	FoamField field(const FoamFieldFile& file, const std::string& name, const FoamRegion& region) const;
 
 private:
+	void forEachPart(const std::function<void(std::size_t)>& read) const;
+
 	std::vector<FoamCase> parts_;
+	int threads_ = 1;
 	bool is_decomposed_ = false;
 };
 

@@ -81,7 +81,7 @@ FoamWhole chosenFiles(const fs::path& folder, const Request& request, manifest::
 	std::vector<FoamCase> cases;
 	for (FoamPlace& place : parts.places)
 		cases.emplace_back(folder, std::move(place), names);
-	return FoamWhole(std::move(cases));
+	return {std::move(cases), request.threads};
 }
 
 // Reads the fields of a region that are wanted, and remembers why others are left out.
@@ -183,7 +183,7 @@ private:
 	}
 
 	const FoamWhole& files_;
-	const std::string& name_; // of the region
+	const std::string& name_; // that the region has
 	const FoamRegion& region_;
 	const FoamMesh& mesh_;
 	const ArrayWish& wish_;
