@@ -17,7 +17,7 @@ namespace vp::read
 namespace
 {
 
-constexpr std::array<std::string_view, 3> kReaders = {"hdf5", "tiff", "zarr"};
+constexpr std::array<std::string_view, 4> kReaders = {"hdf5", "netcdf", "tiff", "zarr"};
 
 // The format whose program unpacks. That of VTKHDF knows HDF5, whatever format the file has.
 std::string formatOf(const std::string& reader)

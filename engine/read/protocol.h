@@ -49,7 +49,8 @@ namespace vp::read
 // for each part, ~0 for one that was never written, and "fill": array of uint8 with an item for those}. If
 // parts are packed it has "filters" (hdf5::Filters::text()), and for each part as array of uint64 "sizes", its bytes in
 // the file, and "left_out_filters", where bit n is set if it was not packed by filter n. Or it has "reader" in
-// place of all these: a name ("hdf5", "tiff", "zarr") and words for it. Then the reader finds parts by their numbers.
+// place of all these: a name ("hdf5", "netcdf", "tiff", "zarr") and words for it. Then the reader finds parts by their
+// numbers.
 // The manifest has "length_units" and "time_units" if the file has them; "sandbox" says what holds the child ("landlock
 // 7, seccomp"); "imaging" is {"orientation", "gray", "labels", "label_names": [[value, name]..], "window"}, each if the
 // file says it (grid/imaging.h).

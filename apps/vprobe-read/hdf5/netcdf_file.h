@@ -20,7 +20,7 @@ namespace vp::reader::hdf5
 class NetcdfFile
 {
 public:
-	explicit NetcdfFile(const std::string& file) { check(nc_open(file.c_str(), NC_NOWRITE, &id_)); }
+	explicit NetcdfFile(const std::string& file) : name_(file) { check(nc_open(file.c_str(), NC_NOWRITE, &id_)); }
 	virtual ~NetcdfFile() { nc_close(id_); }
 	NetcdfFile(const NetcdfFile&) = delete;
 	NetcdfFile& operator=(const NetcdfFile&) = delete;
@@ -42,6 +42,21 @@ public:
 	virtual std::optional<arrays::StoredPlace> storedPlace(int, const std::vector<std::size_t>&) const
 	{
 		return std::nullopt;
+	}
+	// Returns the place of values that its reader finds by these words (volumes::CfParts), without the sides of a part.
+	virtual arrays::StoredPlace placeOfParts(const std::string& words) const
+	{
+		return {.file = name_, .reader = "netcdf " + words};
+	}
+	// Returns the sides of the chunks of a variable, none if it is in one piece.
+	virtual std::vector<std::size_t> chunkOf(int variable) const
+	{
+		int kind = NC_CONTIGUOUS;
+		std::array<std::size_t, NC_MAX_VAR_DIMS> sides;
+		check(nc_inq_var_chunking(id_, variable, &kind, sides.data()));
+		if (kind != NC_CHUNKED)
+			return {};
+		return {sides.begin(), sides.begin() + static_cast<std::ptrdiff_t>(dimensions(variable).size())};
 	}
 	// Returns true if values that nobody wrote have the type's own fill value.
 	virtual bool marksUnwritten() const { return true; }
@@ -161,6 +176,7 @@ private:
 	static constexpr std::size_t kMaxNumbers = 4096; // in one attribute
 	static constexpr std::size_t kMaxLetters = 1 << 16;
 
+	std::string name_;
 	int id_ = -1;
 };
 

@@ -1,5 +1,6 @@
 #include "cf_values.h"
 
+#include "vprobe-read/arrays/value_image.h"
 #include "vprobe-read/base/is_one_of.h"
 
 #include <vtkDataArray.h>
@@ -123,6 +124,13 @@ public:
 			return std::isnan(value);
 		return false;
 	}
+	// Returns true if no value is missing, whatever it is.
+	bool marksNone() const
+	{
+		using Limits = std::numeric_limits<Number>;
+		return std::is_integral_v<Number> && marks_.empty() && low_ == Limits::lowest() && high_ == Limits::max() &&
+		       std::isinf(meant_low_) && std::isinf(meant_high_);
+	}
 	// For packed values, once they are unpacked.
 	bool isOutside(double unpacked) const { return unpacked < meant_low_ || unpacked > meant_high_; }
 
@@ -200,6 +208,14 @@ void takeFactor(const hdf5::NetcdfFile& file, int variable, const char* attribut
 	is_packed = true;
 }
 
+CfPacking packingOf(const hdf5::NetcdfFile& file, int variable)
+{
+	CfPacking packing;
+	takeFactor(file, variable, "scale_factor", packing.scale, packing.is_packed);
+	takeFactor(file, variable, "add_offset", packing.offset, packing.is_packed);
+	return packing;
+}
+
 template <class Array, class Number>
 vtkSmartPointer<vtkDataArray> meantAs(std::span<const Number> stored, const Missing<Number>& missing,
                                       const CfPacking& packing)
@@ -224,9 +240,7 @@ vtkSmartPointer<vtkDataArray> meantOf(const hdf5::NetcdfFile& file, int variable
 	const std::span<const Number> values(static_cast<const Number*>(stored->GetVoidPointer(0)),
 	                                     static_cast<std::size_t>(stored->GetNumberOfValues()));
 	const Missing<Number> missing(file, variable);
-	CfPacking packing;
-	takeFactor(file, variable, "scale_factor", packing.scale, packing.is_packed);
-	takeFactor(file, variable, "add_offset", packing.offset, packing.is_packed);
+	const CfPacking packing = packingOf(file, variable);
 	const auto is_missing = [&](Number value)
 	{ return missing(value) || missing.isOutside(static_cast<double>(value)); };
 	if (!packing.is_packed && std::ranges::none_of(values, is_missing))
@@ -271,33 +285,57 @@ int cfTypeOf(const hdf5::NetcdfFile& file, int variable)
 	}
 }
 
-vtkSmartPointer<vtkDataArray> cfMeant(const hdf5::NetcdfFile& file, int variable, vtkSmartPointer<vtkDataArray> stored)
+namespace
 {
-	switch (stored->GetDataType())
+
+// Calls act(NUMBER()) with a number of VTK's type.
+template <class Act>
+auto withNumber(int type, const Act& act)
+{
+	switch (type)
 	{
 	case VTK_SIGNED_CHAR:
-		return meantOf<signed char>(file, variable, std::move(stored));
+		return act(static_cast<signed char>(0));
 	case VTK_UNSIGNED_CHAR:
-		return meantOf<unsigned char>(file, variable, std::move(stored));
+		return act(static_cast<unsigned char>(0));
 	case VTK_SHORT:
-		return meantOf<short>(file, variable, std::move(stored));
+		return act(short(0));
 	case VTK_UNSIGNED_SHORT:
-		return meantOf<unsigned short>(file, variable, std::move(stored));
+		return act(static_cast<unsigned short>(0));
 	case VTK_INT:
-		return meantOf<int>(file, variable, std::move(stored));
+		return act(0);
 	case VTK_UNSIGNED_INT:
-		return meantOf<unsigned int>(file, variable, std::move(stored));
+		return act(0u);
 	case VTK_LONG_LONG:
-		return meantOf<long long>(file, variable, std::move(stored));
+		return act(0ll);
 	case VTK_UNSIGNED_LONG_LONG:
-		return meantOf<unsigned long long>(file, variable, std::move(stored));
+		return act(0ull);
 	case VTK_FLOAT:
-		return meantOf<float>(file, variable, std::move(stored));
+		return act(0.0f);
 	case VTK_DOUBLE:
-		return meantOf<double>(file, variable, std::move(stored));
+		return act(0.0);
 	default:
-		throw damaged(fmt::format("{} holds no numbers", nameOfVariable(file, variable)));
+		throw damaged("a variable holds no numbers");
 	}
+}
+
+} // namespace
+
+vtkSmartPointer<vtkDataArray> cfMeant(const hdf5::NetcdfFile& file, int variable, vtkSmartPointer<vtkDataArray> stored)
+{
+	return withNumber(stored->GetDataType(),
+	                  [&]<class Number>(Number) { return meantOf<Number>(file, variable, std::move(stored)); });
+}
+
+std::optional<grid::NumberType> cfTypeMeant(const hdf5::NetcdfFile& file, int variable)
+{
+	const int type = cfTypeOf(file, variable);
+	if (packingOf(file, variable).is_packed)
+		return grid::NumberType::float64;
+	const bool is_known = type == VTK_FLOAT || type == VTK_DOUBLE ||
+	                      (type != 0 && withNumber(type, [&]<class Number>(Number)
+	                                               { return Missing<Number>(file, variable).marksNone(); }));
+	return is_known ? arrays::numberTypeOfVtk(type) : std::nullopt;
 }
 
 bool cfIsPlain(const hdf5::NetcdfFile& file, int variable)

@@ -2,8 +2,11 @@
 
 #include "vprobe-read/hdf5/netcdf_file.h"
 
+#include "grid/field.h"
+
 #include <vtkSmartPointer.h>
 
+#include <optional>
 #include <vector>
 
 class vtkDataArray;
@@ -18,6 +21,10 @@ int cfTypeOf(const hdf5::NetcdfFile& file, int variable);
 // ones are unpacked. It stays the same array where nothing is missing or packed. After the CF conventions, sections
 // 2.5.1 and 8.1; `_Unsigned` after the NetCDF Users Guide.
 vtkSmartPointer<vtkDataArray> cfMeant(const hdf5::NetcdfFile& file, int variable, vtkSmartPointer<vtkDataArray> stored);
+
+// Returns the type of the values that cfMeant() makes. Nothing if it depends on the values: whole numbers that are not
+// packed become floats where some are missing.
+std::optional<grid::NumberType> cfTypeMeant(const hdf5::NetcdfFile& file, int variable);
 
 // Returns true if cfMeant() changes nothing, whatever the values are: none is packed, and nothing but NaN marks missing
 // ones.

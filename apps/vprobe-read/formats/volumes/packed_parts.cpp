@@ -1,11 +1,15 @@
 #include "vprobe-read/arrays/packed_parts.h"
 
+#include "cf_parts.h"
 #include "tiff_volume.h"
 #include "vprobe-read/base/mapped_text.h"
 #include "vprobe-read/base/refusal.h"
+#include "vprobe-read/checks/netcdf_size.h"
 #include "vprobe-read/hdf5/hdf5_chunk_reader.h"
 #include "vprobe-read/hdf5/hdf5_filters.h"
+#include "vprobe-read/hdf5/hdf5_parts.h"
 #include "zarr_array.h"
+#include "zarr_file.h"
 
 #include <nlohmann/json.hpp>
 
@@ -34,10 +38,36 @@ arrays::UnpackPart fromChunks(const std::string& name, const std::string& filter
 	};
 }
 
+std::string restOf(std::istream& words)
+{
+	std::string rest;
+	std::getline(words >> std::ws, rest, '\0');
+	return rest;
+}
+
+arrays::UnpackPart fromVariable(std::unique_ptr<hdf5::NetcdfFile> file, const std::string& words)
+{
+	const auto parts = std::make_shared<const volumes::CfParts>(std::move(file), words);
+	return [parts](const arrays::PackedPart& part, std::span<std::byte> to) { parts->read(part.offset, to); };
+}
+
+arrays::UnpackPart fromNetcdf(const std::string& file, std::istream& words)
+{
+	checks::refuseShortNetcdf(file);
+	hdf5::refuseMissingParts(file);
+	return fromVariable(std::make_unique<hdf5::NetcdfFile>(file), restOf(words));
+}
+
 // file: the array's JSON, or the folder that it is in.
-arrays::UnpackPart fromZarr(const std::filesystem::path& file, std::istream& indices)
+arrays::UnpackPart fromZarr(const std::filesystem::path& file, std::istream& words)
 {
 	const std::filesystem::path folder = std::filesystem::is_directory(file) ? file : file.parent_path();
+	const std::string rest = restOf(words);
+	if (constexpr std::string_view by_conventions = "cf "; rest.starts_with(by_conventions))
+		return fromVariable(
+		    std::make_unique<volumes::ZarrFile>(volumes::ZarrGroup::of(folder.string()), folder.string()),
+		    rest.substr(by_conventions.size()));
+	std::istringstream indices(rest);
 	const auto about = volumes::zarrArrayJson(folder);
 	if (!about)
 		throw Refusal("its array is not there any more");
@@ -123,10 +153,11 @@ arrays::UnpackPart arrays::unpackerOf(const std::string& file, const std::string
 	std::istringstream words(how);
 	std::string reader;
 	words >> reader;
-	return reader == "zarr"   ? fromZarr(file, words)
-	       : reader == "tiff" ? fromTiff(file, words)
-	       : reader == "hdf5" ? fromHdf5(file, words)
-	                          : fromChunks(file, how);
+	return reader == "zarr"     ? fromZarr(file, words)
+	       : reader == "tiff"   ? fromTiff(file, words)
+	       : reader == "hdf5"   ? fromHdf5(file, words)
+	       : reader == "netcdf" ? fromNetcdf(file, words)
+	                            : fromChunks(file, how);
 }
 
 } // namespace vp::reader

@@ -1,5 +1,6 @@
 // netCDF and Zarr of the climate and forecast conventions, and any such file with arrays of three axes.
 #include "cf_grid.h"
+#include "cf_parts.h"
 #include "cf_values.h"
 #include "cf_volumes.h"
 #include "read_ome_zarr.h"
@@ -22,7 +23,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 #include <numeric>
 
 namespace vp::reader::volumes
@@ -52,52 +52,6 @@ std::size_t chooseStepOf(const hdf5::NetcdfFile& file, const CfVolumes& volumes,
 	return manifest::offerSteps(times, request, manifest).value_or(0);
 }
 
-template <std::size_t Width>
-void turnAxes(const char* from, char* to, const std::array<std::size_t, 3>& counts,
-              const std::array<std::size_t, 3>& strides)
-{
-	for (std::size_t a = 0; a < counts[0]; ++a)
-		for (std::size_t b = 0; b < counts[1]; ++b)
-			for (std::size_t c = 0; c < counts[2]; ++c, from += Width)
-				std::memcpy(to + (a * strides[0] + b * strides[1] + c * strides[2]) * Width, from, Width);
-}
-
-// Values in the order of a file, with x running fastest, then y, then z.
-vtkSmartPointer<vtkDataArray> withXFastest(vtkSmartPointer<vtkDataArray> array, const CfVolume& volume,
-                                           const std::array<std::size_t, 3>& lengths)
-{
-	const auto [x, y, z] = volume.sides;
-	if (z < y && y < x)
-		return array;
-	const std::array<std::size_t, 3> of_axes = {1, lengths[0], lengths[0] * lengths[1]};
-	std::array<std::size_t, 3> order = {0, 1, 2}, counts, strides; // axes as the file has them
-	std::ranges::sort(order, {}, [&](std::size_t axis) { return volume.sides[axis]; });
-	for (std::size_t i = 0; i < 3; ++i)
-	{
-		counts[i] = lengths[order[i]];
-		strides[i] = of_axes[order[i]];
-	}
-	const auto turned = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
-	turned->SetNumberOfTuples(array->GetNumberOfTuples());
-	const auto* from = static_cast<const char*>(array->GetVoidPointer(0));
-	auto* to = static_cast<char*>(turned->GetVoidPointer(0));
-	switch (array->GetDataTypeSize())
-	{
-	case 1:
-		turnAxes<1>(from, to, counts, strides);
-		break;
-	case 2:
-		turnAxes<2>(from, to, counts, strides);
-		break;
-	case 4:
-		turnAxes<4>(from, to, counts, strides);
-		break;
-	default:
-		turnAxes<8>(from, to, counts, strides);
-	}
-	return turned;
-}
-
 // The means of neighbors along an axis: values on the sides of cells become those of their middles.
 vtkSmartPointer<vtkDataArray> atMiddles(vtkDataArray* sides, std::array<std::size_t, 3> lengths, std::size_t axis)
 {
@@ -125,16 +79,19 @@ vtkSmartPointer<vtkDataArray> arrayLeft(const hdf5::NetcdfFile& file, const CfVo
 {
 	const auto [x, y, z] = volume.sides;
 	const std::size_t sides = slab.counts.size();
-	const std::optional<NumberType> type = arrays::numberTypeOfVtk(cfTypeOf(file, volume.variable));
-	const bool is_last = x + 1 == sides && y + 2 == sides && z + 3 == sides;
-	if (!type || !is_last || volume.staggered || !cfIsPlain(file, volume.variable))
+	const std::optional<NumberType> type = cfTypeMeant(file, volume.variable);
+	if (!type || volume.staggered)
 		return nullptr;
 	arrays::ValueLayout layout{{}, 1, *type};
 	for (std::size_t axis = 0; axis < 3; ++axis)
 		layout.points[axis] = static_cast<std::uint32_t>(lengths[axis]);
-	const std::vector<std::size_t> front(slab.starts.begin(), slab.starts.end() - 3);
-	std::optional<arrays::StoredPlace> place =
-	    request.leaves(layout.byteCount()) ? file.storedPlace(volume.variable, front) : std::nullopt;
+	if (!request.leaves(layout.byteCount()))
+		return nullptr;
+	std::optional<arrays::StoredPlace> place;
+	if (x + 1 == sides && y + 2 == sides && z + 3 == sides && cfIsPlain(file, volume.variable))
+		place = file.storedPlace(volume.variable, {slab.starts.begin(), slab.starts.end() - 3});
+	if (!place)
+		place = cfStoredPlace(file, volume, slab, lengths);
 	return place ? arrays::storedArray(layout, volume.name, std::move(*place)) : nullptr;
 }
 
@@ -149,7 +106,7 @@ vtkSmartPointer<vtkDataArray> arrayOfVolume(const hdf5::NetcdfFile& file, const 
 		++lengths[*volume.staggered];
 	vtkSmartPointer<vtkDataArray> array = arrayLeft(file, volume, slab, lengths, request);
 	if (!array)
-		array = withXFastest(cfArray(file, volume.variable, slab), volume, lengths);
+		array = withXFastest(cfArray(file, volume.variable, slab), volume.sides, lengths);
 	if (volume.staggered)
 		array = atMiddles(array, lengths, *volume.staggered);
 	array->SetName(volume.name.c_str());

@@ -29,6 +29,7 @@ public:
 
 	const std::string& name() const { return name_; }
 	const std::vector<std::size_t>& shape() const { return layout_.shape; }
+	const std::vector<std::size_t>& chunk() const { return layout_.chunk; }
 	// Floats of 2 bytes are given as those of 4.
 	const ZarrType& type() const { return layout_.type; }
 	std::size_t widthInMemory() const { return isHalf() ? 4 : layout_.type.width; }

@@ -153,7 +153,8 @@ json missingIn(const json& about, const json& attributes)
 
 } // namespace
 
-ZarrFile::ZarrFile(const ZarrGroup& group, const std::string& folder) : hdf5::NetcdfFile(newFileInMemory())
+ZarrFile::ZarrFile(const ZarrGroup& group, const std::string& folder)
+    : hdf5::NetcdfFile(newFileInMemory()), folder_(folder)
 {
 	if (group.arrays.empty() && !group.groups.empty())
 		throw Refusal(fmt::format("nothing to slice: a Zarr group with groups alone; name one of them, such as {}",
@@ -209,6 +210,16 @@ void ZarrFile::addArray(const std::string& name, const ZarrGroup::Array& given)
 std::optional<arrays::StoredPlace> ZarrFile::storedPlace(int variable, const std::vector<std::size_t>& front) const
 {
 	return arrays_.at(variable).storedPlace(front);
+}
+
+arrays::StoredPlace ZarrFile::placeOfParts(const std::string& words) const
+{
+	arrays::StoredPlace place{.reader = "zarr cf " + words};
+	std::error_code none;
+	for (const char* about : {"zarr.json", ".zgroup", ".zarray", ".zmetadata", ".zattrs"})
+		if (place.file.empty() && fs::is_regular_file(fs::path(folder_) / about, none))
+			place.file = (fs::path(folder_) / about).string();
+	return place;
 }
 
 void ZarrFile::readSlab(int variable, const std::vector<std::size_t>& starts, const std::vector<std::size_t>& counts,

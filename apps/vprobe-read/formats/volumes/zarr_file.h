@@ -21,6 +21,8 @@ public:
 	void readSlab(int variable, const std::vector<std::size_t>& starts, const std::vector<std::size_t>& counts,
 	              void* to) const override;
 	std::optional<arrays::StoredPlace> storedPlace(int variable, const std::vector<std::size_t>& front) const override;
+	arrays::StoredPlace placeOfParts(const std::string& words) const override;
+	std::vector<std::size_t> chunkOf(int variable) const override { return arrays_.at(variable).chunk(); }
 	bool marksUnwritten() const override { return false; }
 
 	/// Returns true if OME-Zarr's attributes say that its arrays are labels.
@@ -30,6 +32,7 @@ private:
 	void addArray(const std::string& name, const ZarrGroup::Array& given);
 	std::vector<int> dimensionsOf(const ZarrArray& array, const std::vector<std::string>& names);
 
+	std::string folder_;
 	std::map<int, ZarrArray> arrays_; // by their variables
 	bool has_labels_ = false;
 };
