@@ -131,7 +131,7 @@ def packs_show_one_value(folder):
         parts = same_figures(path, pack, options, folder)
         assert parts['read'] == parts['met'] < parts['all'] or 'i' in options or 'v' in options, (options, parts)
         assert polygons(pack, options, folder / 'a.vtp') == polygons(path, options, folder / 'b.vtp'), options
-    box, options = folder / 'box.vtkhdf', ['--array', 's', '--iso', '0.1']
+    box, options = folder / 'box.vtkhdf', ['--array', 's', '--iso', '1.2']
     vprobe('pack', 'demo:tets:16', '-o', box, '--part', '256')
     parts = same_figures('demo:tets:16', box, options, folder)
     assert 0 < parts['read'] < 0.7 * parts['all'], parts

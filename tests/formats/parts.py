@@ -276,10 +276,47 @@ def stored_zarr(folder):
     several.attrs['_ARRAY_DIMENSIONS'] = ['time', 'channel', 'z', 'y', 'x']
     for time in ('first', 'last'):
         same(folder / 'times.zarr', ['--time', time], memory=PACKED)
-    # Values that stand for missing ones need a look at all.
-    marked = zarr.open(str(folder / 'marked.zarr'), mode='w', shape=SIDES, chunks=(5, 7, 6), dtype='f4', fill_value=-9)
-    marked[:, :, :] = values
-    same(folder / 'marked.zarr', stays=False)
+    # Where whole numbers stand for missing ones, it needs a look at all to know the type.
+    for kind, stays in (('f4', True), ('i4', False)):
+        marked = zarr.open(str(folder / f'{kind}.zarr'), mode='w', shape=SIDES, chunks=(5, 7, 6), dtype=kind, fill_value=-9)
+        marked[:, :, :] = numpy.where(values < -20, -9, values)
+        same(folder / f'{kind}.zarr', stays=stays, memory=PACKED)
+
+
+# netCDF by its own library: what is stored is not what is meant, and axes lie in any order.
+def stored_netcdf(folder):
+    numpy, netcdf4 = need('numpy'), need('netCDF4')
+    sides = {'z': 41, 'y': 53, 'x': 47, 'time': 2}
+    values = field(numpy, (41, 53, 47)) / 8
+    missing = numpy.abs(values - 40) < 8
+    ways = {'plain': ('NETCDF4', 'f4', 'zyx', {}, {}), 'classic': ('NETCDF3_CLASSIC', 'f8', 'zyx', {}, {}),
+            'missing': ('NETCDF4', 'f4', 'zyx', {'zlib': True, 'chunksizes': (20, 27, 24)}, {'_FillValue': -9999.0}),
+            'packed': ('NETCDF4', 'i2', ('time', *'zyx'), {'zlib': True, 'shuffle': True, 'chunksizes': (1, 41, 10, 47)},
+                       {'_FillValue': -32768, 'scale_factor': 0.05, 'add_offset': 3.5}),
+            'old': ('NETCDF3_64BIT_OFFSET', 'i2', ('time', *'zyx'), {}, {'missing_value': -32000, 'scale_factor': 0.05}),
+            'turned': ('NETCDF4', 'f4', 'xzy', {'chunksizes': (9, 41, 53)}, {'valid_min': -20.0}),
+            'together': ('NETCDF4', 'f8', ('time', *'zxy'), {'chunksizes': (2, 5, 6, 7)}, {'_FillValue': 1e30}),
+            'whole': ('NETCDF4', 'i4', 'zyx', {}, {}), 'bytes': ('NETCDF4', 'u1', 'yzx', {}, {})}
+    for name, (form, kind, order, options, attributes) in tried(ways.items()):
+        path = folder / f'{name}.nc'
+        with netcdf4.Dataset(path, 'w', format=form) as file:
+            for side in order:
+                file.createDimension(side, sides[side])
+            for axis in 'xyz':
+                places = file.createVariable(axis, 'f8', (axis,))
+                places.axis = axis.upper()
+                places[:] = numpy.arange(sides[axis]) * {'x': 0.5, 'y': 1.0, 'z': 2.0}[axis]
+            fill = attributes.pop('_FillValue', None)
+            made = file.createVariable('v', kind, tuple(order), fill_value=fill, **options)
+            made.setncatts(attributes)
+            made.set_auto_maskandscale(False)
+            mark = fill if fill is not None else attributes.get('missing_value', values[0, 0, 0])
+            stored = (values - attributes.get('add_offset', 0.0)) / attributes.get('scale_factor', 1.0)
+            stored = numpy.where(missing, mark, abs(stored) if kind == 'u1' else stored).astype(kind)
+            turned = numpy.transpose(stored, ['zyx'.index(side) for side in order if side != 'time'])
+            made[:] = numpy.stack([turned[::-1], turned]) if 'time' in order else turned
+        for time in ([], ['--time', 'first'])[:2 if 'time' in order else 1]:
+            same(path, [*time, '--interpolate', 'linear'], stays=name != 'whole', memory='200K')
 
 
 # Rows of plain pages, and the strips and tiles of others, which libtiff unpacks.
@@ -460,4 +497,4 @@ def stored_options(folder):
 
 
 CASES = [stored_raw, stored_rows_across, stored_numpy, stored_mrc, stored_vtk, stored_meta, stored_hdf5, stored_hdf5_steps,
-         stored_zarr, stored_tiff, stored_xdmf, stored_converted, stored_options]
+         stored_zarr, stored_netcdf, stored_tiff, stored_xdmf, stored_converted, stored_options]
