@@ -15,7 +15,7 @@ class Writer;
 // Says where the values of an array lie in a file, in parts (engine/parts/layout.h).
 struct StoredPlace
 {
-	std::string file;
+	std::string file{};
 	std::array<std::uint64_t, 3> part{1, 1, 1}; // items along i, j, k
 	std::uint64_t offset = 0;                   // if the values are in one piece, and a part is some rows of it
 	std::vector<std::uint64_t> offsets{};       // else of each part, ~0 for one that was never written
