@@ -316,7 +316,7 @@ def stored_netcdf(folder):
             turned = numpy.transpose(stored, ['zyx'.index(side) for side in order if side != 'time'])
             made[:] = numpy.stack([turned[::-1], turned]) if 'time' in order else turned
         for time in ([], ['--time', 'first'])[:2 if 'time' in order else 1]:
-            same(path, [*time, '--interpolate', 'linear'], stays=name != 'whole', memory='200K')
+            same(path, [*time, '--interpolate', 'linear'], stays=name != 'whole', memory='50K' if kind == 'u1' else '200K')
 
 
 # Rows of plain pages, and the strips and tiles of others, which libtiff unpacks.
