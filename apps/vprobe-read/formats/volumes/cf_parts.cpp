@@ -148,7 +148,7 @@ CfParts::CfParts(std::unique_ptr<hdf5::NetcdfFile> file, const std::string& word
 		if (sides_[axis] >= dimensions.size() || slab_.counts[sides_[axis]] == 0 || part_[axis] == 0 ||
 		    part_[axis] > kMostItems)
 			throw other;
-		slab_.counts[sides_[axis]] = 0; // of one axis only
+		slab_.counts[sides_[axis]] = 0; // no other axis may have it
 		lengths_[axis] = dimensions[sides_[axis]].second;
 	}
 	for (std::size_t side = 0; side < dimensions.size(); ++side)
