@@ -6,7 +6,6 @@
 #include <vtkCellType.h>
 
 #include <algorithm>
-#include <set>
 
 namespace vp::reader::cells
 {
@@ -58,7 +57,7 @@ int solidTypeOf(std::size_t corners, std::size_t triangles, std::size_t quads, s
 
 // Returns the corners in VTK's order: a base, seen from inside, then the corners over it. Returns an empty list if the
 // faces do not fit.
-std::vector<vtkIdType> cornersInOrder(int type, std::span<const FaceCorners> faces, const std::set<vtkIdType>& all)
+std::vector<vtkIdType> cornersInOrder(int type, std::span<const FaceCorners> faces, std::span<const vtkIdType> all)
 {
 	const std::size_t wanted = type == VTK_PYRAMID || type == VTK_HEXAHEDRON ? 4 : 3;
 	const auto base = std::ranges::find_if(faces, [&](const FaceCorners& f) { return f.size() == wanted; });
@@ -72,7 +71,9 @@ std::vector<vtkIdType> cornersInOrder(int type, std::span<const FaceCorners> fac
 	else
 		for (std::size_t i = 0; i < wanted; ++i)
 			corners.push_back(cornerOver(faces, *base, corners[i]));
-	if (std::set<vtkIdType>(corners.begin(), corners.end()) != all || corners.size() != all.size())
+	std::vector<vtkIdType> sorted = corners;
+	std::ranges::sort(sorted);
+	if (!std::ranges::equal(sorted, all))
 		corners.clear();
 	return corners;
 }
@@ -81,14 +82,16 @@ std::vector<vtkIdType> cornersInOrder(int type, std::span<const FaceCorners> fac
 
 void addCellOfFaces(GrownCells& cells, std::span<const FaceCorners> faces)
 {
-	std::set<vtkIdType> all;
+	std::vector<vtkIdType> all; // each once, ascending
 	std::size_t triangles = 0, quads = 0;
 	for (const FaceCorners& face : faces)
 	{
-		all.insert(face.begin(), face.end());
+		all.insert(all.end(), face.begin(), face.end());
 		triangles += face.size() == 3;
 		quads += face.size() == 4;
 	}
+	std::ranges::sort(all);
+	all.erase(std::unique(all.begin(), all.end()), all.end());
 	if (const int type = solidTypeOf(all.size(), triangles, quads, faces.size()))
 		if (const std::vector<vtkIdType> corners = cornersInOrder(type, faces, all); !corners.empty())
 		{

@@ -62,6 +62,8 @@ char FoamCursor::peek()
 		const std::string_view rest = text_.substr(at_, 2);
 		if (isBlank(rest[0]))
 			++at_;
+		else if (rest[0] != '/')
+			return rest[0];
 		else if (rest == "//")
 			at_ = std::min(text_.find('\n', at_), text_.size());
 		else if (rest == "/*")
@@ -198,7 +200,7 @@ std::string_view FoamCursor::number()
 {
 	peek();
 	const std::size_t start = at_;
-	while (at_ < text_.size() && !isBlank(text_[at_]) && !isMark(text_[at_]) && !beginsComment())
+	while (at_ < text_.size() && !isBlank(text_[at_]) && !isMark(text_[at_]) && (text_[at_] != '/' || !beginsComment()))
 		++at_;
 	std::string_view digits = text_.substr(start, at_ - start);
 	if (digits.size() > 1 && digits[0] == '+')
@@ -248,10 +250,11 @@ void FoamCursor::bytes(std::size_t count, std::vector<As>& numbers)
 {
 	if (count > (text_.size() - at_) / sizeof(Number))
 		throw damaged("it ends before all that it announces");
-	numbers.resize(count);
-	for (As& number : numbers)
+	const std::size_t before = numbers.size();
+	numbers.resize(before + count);
+	for (std::size_t i = before; i < numbers.size(); ++i)
 	{
-		number = static_cast<As>(numberAt<Number>(text_.data() + at_, byteOrder(head_.is_big_endian)));
+		numbers[i] = static_cast<As>(numberAt<Number>(text_.data() + at_, byteOrder(head_.is_big_endian)));
 		at_ += sizeof(Number);
 	}
 }
@@ -306,21 +309,27 @@ FoamList FoamCursor::reals(int components)
 std::vector<std::int64_t> FoamCursor::labels(std::size_t most_equal)
 {
 	std::vector<std::int64_t> list;
+	takeLabels(list, most_equal);
+	return list;
+}
+
+void FoamCursor::takeLabels(std::vector<std::int64_t>& list, std::size_t most_equal)
+{
 	const std::int64_t announced = integer();
 	if (announced >= 0 && take('{')) // all are alike
 	{
 		if (static_cast<std::size_t>(announced) > most_equal)
 			throw damaged(fmt::format("it announces {} of something, more than there can be", announced));
-		list.assign(static_cast<std::size_t>(announced), integer());
+		list.insert(list.end(), static_cast<std::size_t>(announced), integer());
 		expect('}');
-		return list;
+		return;
 	}
 	const std::size_t elements = checkedCount(announced, 1);
 	if (elements == 0)
 	{
 		if (take('('))
 			expect(')');
-		return list;
+		return;
 	}
 	expect('(');
 	if (head_.is_binary && head_.label_bytes == 8)
@@ -331,7 +340,6 @@ std::vector<std::int64_t> FoamCursor::labels(std::size_t most_equal)
 		for (std::size_t i = 0; i < elements; ++i)
 			list.push_back(integer());
 	expect(')');
-	return list;
 }
 
 std::string_view FoamCursor::block()
@@ -364,8 +372,7 @@ FoamFaces FoamCursor::faces(bool is_compact)
 		expect('(');
 	for (std::size_t i = 0; i < elements; ++i)
 	{
-		const std::vector<std::int64_t> corners = labels();
-		faces.corners.insert(faces.corners.end(), corners.begin(), corners.end());
+		takeLabels(faces.corners, kMaxEqual);
 		faces.starts.push_back(static_cast<std::int64_t>(faces.corners.size()));
 	}
 	expect(')');

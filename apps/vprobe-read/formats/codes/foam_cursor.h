@@ -53,7 +53,7 @@ public:
 	// A list, mostly with the number of its elements before it.
 	FoamList reals(int components);
 	// Equal labels take no room: at most so many of them.
-	std::vector<std::int64_t> labels(std::size_t most_equal = 1 << 16);
+	std::vector<std::int64_t> labels(std::size_t most_equal = kMaxEqual);
 	FoamFaces faces(bool is_compact);
 	// Bytes in parentheses behind their number. They may be anything.
 	std::string_view block();
@@ -61,6 +61,10 @@ public:
 	std::string_view rest() const { return text_.substr(at_); }
 
 private:
+	static constexpr std::size_t kMaxEqual = 1 << 16;
+
+	// Appends a list of labels.
+	void takeLabels(std::vector<std::int64_t>& list, std::size_t most_equal);
 	double real();
 	FoamToken macro();
 	FoamToken listOrWord(std::string_view word);
