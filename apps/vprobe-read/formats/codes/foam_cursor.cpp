@@ -210,8 +210,17 @@ std::string_view FoamCursor::number()
 
 std::int64_t FoamCursor::integer()
 {
-	const std::string_view digits = number();
+	peek();
 	std::int64_t value = 0;
+	const std::string_view rest = text_.substr(at_);
+	const char* last = rest.data() + rest.size();
+	if (const auto [end, error] = std::from_chars(rest.data(), last, value);
+	    error == std::errc() && (end == last || isBlank(*end) || isMark(*end)))
+	{
+		at_ += static_cast<std::size_t>(end - rest.data());
+		return value;
+	}
+	const std::string_view digits = number();
 	const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
 	if (error != std::errc() || end != digits.data() + digits.size())
 		throw damaged(fmt::format("\"{}\" where a whole number is wanted", digits.substr(0, 20)));
