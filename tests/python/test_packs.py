@@ -30,6 +30,14 @@ def test_figures_are_those_of_the_whole(pack):
         assert np.array_equal(np.sort(piece['s']), np.sort(wanted['s']))
 
 
+def test_surfaces_of_one_value_are_those_of_the_whole(pack):
+    data, whole = vprobe.open(pack), vprobe.open(WHOLE)
+    pieces = [(data.isosurface(value), whole.isosurface(value)) for value in (1.9, -1.2, 0.0, 1.9)]
+    for piece, wanted in pieces:
+        assert figures(piece) == pytest.approx(figures(wanted), rel=1e-9, abs=1e-7)
+        assert sorted(piece.cells) == sorted(wanted.cells) and len(piece.cells) > 0
+
+
 def test_what_needs_all_reads_it_in_between(pack):
     data, whole = vprobe.open(pack), vprobe.open(WHOLE)
     early = data.slice(normal=(1, 2, 3))
