@@ -75,6 +75,7 @@ protected:
 	Outcome runWith(const std::string& number, const std::string& other_input = {}) const
 	{
 		std::filesystem::create_directory(path("to"));
+		std::filesystem::remove(calls_); // what an earlier run has told
 		Arguments arguments = task().arguments;
 		if (!other_input.empty())
 			arguments[1] = other_input;
