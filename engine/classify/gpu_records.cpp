@@ -48,6 +48,7 @@ Result<std::shared_ptr<RecordPage>> RecordPool::take(Writer writer)
 		page->buffer = std::move(*buffer);
 		page->texels = std::move(*texels);
 		const std::lock_guard lock(mutex_);
+		idle_.reserve(made_ + 1); // whoever gives a page back may not fail
 		++made_;
 	}
 	return std::shared_ptr<RecordPage>(page.release(),

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <chrono>
 #include <utility>
 
@@ -47,6 +48,7 @@ void Timers::makePool(std::vector<VkQueryPool>& pools, std::size_t section, cons
 {
 	while (pools.size() <= section / kPoolSections)
 	{
+		pools.reserve(pools.size() + 1);
 		VkQueryPool pool = VK_NULL_HANDLE;
 		// A timer is not worth a failed slice: without memory for it nothing is measured.
 		if (vkCreateQueryPool(device_->handle(), &info, nullptr, &pool) == VK_SUCCESS)
@@ -62,7 +64,8 @@ std::size_t Timers::begin(VkCommandBuffer commands, const char* name)
 {
 	device_->beginLabel(commands, name);
 	const std::size_t section = sections_.size();
-	sections_.push_back({name, steadyNow()});
+	Section made{name, steadyNow()};
+	sections_.reserve(std::bit_ceil(section + 1)); // without memory there is no section that lacks its pools
 	VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
 	if (device_->timestampBits())
 	{
@@ -81,9 +84,10 @@ std::size_t Timers::begin(VkCommandBuffer commands, const char* name)
 		if (const VkQueryPool pool = statistics_[section / kPoolSections])
 		{
 			vkCmdBeginQuery(commands, pool, section % kPoolSections, 0);
-			sections_.back().is_counted = true;
+			made.is_counted = true;
 		}
 	}
+	sections_.push_back(made);
 	return section;
 }
 
