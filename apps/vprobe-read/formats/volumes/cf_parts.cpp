@@ -154,11 +154,11 @@ CfParts::CfParts(std::unique_ptr<hdf5::NetcdfFile> file, const std::string& word
 	for (std::size_t side = 0; side < dimensions.size(); ++side)
 		if (slab_.starts[side] >= dimensions[side].second)
 			throw other;
+	meaning_ = cfMeaning(*file_, variable_);
 }
 
 void CfParts::read(std::uint64_t number, std::span<std::byte> to) const
 {
-	const std::lock_guard lock(one_at_a_time_);
 	CfSlab slab = slab_;
 	Three held;
 	for (std::size_t axis = 0; axis < 3; ++axis)
@@ -170,7 +170,12 @@ void CfParts::read(std::uint64_t number, std::span<std::byte> to) const
 		slab.starts[sides_[axis]] = first;
 		slab.counts[sides_[axis]] = held[axis];
 	}
-	const vtkSmartPointer<vtkDataArray> values = withXFastest(cfArray(*file_, variable_, slab), sides_, held);
+	vtkSmartPointer<vtkDataArray> values;
+	{
+		const std::lock_guard lock(one_at_a_time_);
+		values = cfStored(*file_, variable_, slab);
+	}
+	values = withXFastest(meaning_(values), sides_, held);
 	const auto width = static_cast<std::size_t>(values->GetDataTypeSize());
 	if (number > 0 || to.size() != part_[0] * part_[1] * part_[2] * width)
 		throw damaged("it has other parts than are asked for");

@@ -39,12 +39,13 @@ public:
 	// words: what cfStoredPlace() says behind the name of the reader. Throws a Refusal if they do not fit the file.
 	CfParts(std::unique_ptr<hdf5::NetcdfFile> file, const std::string& words);
 
-	// Reads a part by its number. Any thread may call it, but they wait for each other, as netCDF wants it.
+	// Reads a part by its number. Any thread may call it. While netCDF reads, they wait for each other.
 	void read(std::uint64_t number, std::span<std::byte> to) const;
 
 private:
 	std::unique_ptr<hdf5::NetcdfFile> file_;
 	int variable_ = -1;
+	CfMeaning meaning_;
 	CfSlab slab_;                                             // all of it
 	std::array<std::size_t, 3> sides_{}, lengths_{}, part_{}; // along x, y, z
 	static std::mutex one_at_a_time_;

@@ -235,12 +235,11 @@ vtkSmartPointer<vtkDataArray> meantAs(std::span<const Number> stored, const Miss
 }
 
 template <class Number>
-vtkSmartPointer<vtkDataArray> meantOf(const hdf5::NetcdfFile& file, int variable, vtkSmartPointer<vtkDataArray> stored)
+vtkSmartPointer<vtkDataArray> meantOf(const Missing<Number>& missing, const CfPacking& packing,
+                                      vtkSmartPointer<vtkDataArray> stored)
 {
 	const std::span<const Number> values(static_cast<const Number*>(stored->GetVoidPointer(0)),
 	                                     static_cast<std::size_t>(stored->GetNumberOfValues()));
-	const Missing<Number> missing(file, variable);
-	const CfPacking packing = packingOf(file, variable);
 	const auto is_missing = [&](Number value)
 	{ return missing(value) || missing.isOutside(static_cast<double>(value)); };
 	if (!packing.is_packed && std::ranges::none_of(values, is_missing))
@@ -321,10 +320,14 @@ auto withNumber(int type, const Act& act)
 
 } // namespace
 
-vtkSmartPointer<vtkDataArray> cfMeant(const hdf5::NetcdfFile& file, int variable, vtkSmartPointer<vtkDataArray> stored)
+CfMeaning cfMeaning(const hdf5::NetcdfFile& file, int variable)
 {
-	return withNumber(stored->GetDataType(),
-	                  [&]<class Number>(Number) { return meantOf<Number>(file, variable, std::move(stored)); });
+	const auto meaning = [&]<class Number>(Number) -> CfMeaning
+	{
+		return [missing = Missing<Number>(file, variable), packing = packingOf(file, variable)](
+		           vtkSmartPointer<vtkDataArray> stored) { return meantOf(missing, packing, std::move(stored)); };
+	};
+	return withNumber(cfTypeOf(file, variable), meaning);
 }
 
 std::optional<grid::NumberType> cfTypeMeant(const hdf5::NetcdfFile& file, int variable)
@@ -372,7 +375,7 @@ std::size_t CfSlab::count() const
 	return count;
 }
 
-vtkSmartPointer<vtkDataArray> cfArray(const hdf5::NetcdfFile& file, int variable, const CfSlab& slab)
+vtkSmartPointer<vtkDataArray> cfStored(const hdf5::NetcdfFile& file, int variable, const CfSlab& slab)
 {
 	const int type = cfTypeOf(file, variable);
 	if (type == 0)
@@ -380,7 +383,12 @@ vtkSmartPointer<vtkDataArray> cfArray(const hdf5::NetcdfFile& file, int variable
 	auto stored = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
 	stored->SetNumberOfTuples(static_cast<vtkIdType>(slab.count()));
 	file.readSlab(variable, slab.starts, slab.counts, stored->GetVoidPointer(0));
-	return cfMeant(file, variable, std::move(stored));
+	return stored;
+}
+
+vtkSmartPointer<vtkDataArray> cfArray(const hdf5::NetcdfFile& file, int variable, const CfSlab& slab)
+{
+	return cfMeaning(file, variable)(cfStored(file, variable, slab));
 }
 
 std::vector<double> cfNumbers(const hdf5::NetcdfFile& file, int variable, const CfSlab& slab)

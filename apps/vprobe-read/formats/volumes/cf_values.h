@@ -6,6 +6,7 @@
 
 #include <vtkSmartPointer.h>
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -17,17 +18,18 @@ namespace vp::reader::volumes
 // VTK's type for the numbers of a variable; 0 where it holds none.
 int cfTypeOf(const hdf5::NetcdfFile& file, int variable);
 
-// Values as they are stored in a variable, of the type above, become those that are meant: missing ones are NaN, packed
-// ones are unpacked. It stays the same array where nothing is missing or packed. After the CF conventions, sections
-// 2.5.1 and 8.1; `_Unsigned` after the NetCDF Users Guide.
-vtkSmartPointer<vtkDataArray> cfMeant(const hdf5::NetcdfFile& file, int variable, vtkSmartPointer<vtkDataArray> stored);
+// Turns values as they are stored in a variable into those that are meant: missing ones are NaN, packed ones are
+// unpacked. It stays the same array where nothing is missing or packed. After the CF conventions, sections 2.5.1 and
+// 8.1; `_Unsigned` after the NetCDF Users Guide. Any thread may call it: it needs the file no more.
+using CfMeaning = std::function<vtkSmartPointer<vtkDataArray>(vtkSmartPointer<vtkDataArray> stored)>;
+CfMeaning cfMeaning(const hdf5::NetcdfFile& file, int variable);
 
-// Returns the type of the values that cfMeant() makes. Nothing if it depends on the values: whole numbers that are not
-// packed become floats where some are missing.
+// Returns the type of the values that cfMeaning() makes. Nothing if it depends on the values: whole numbers that are
+// not packed become floats where some are missing.
 std::optional<grid::NumberType> cfTypeMeant(const hdf5::NetcdfFile& file, int variable);
 
-// Returns true if cfMeant() changes nothing, whatever the values are: none is packed, and nothing but NaN marks missing
-// ones.
+// Returns true if cfMeaning() changes nothing, whatever the values are: none is packed, and nothing but NaN marks
+// missing ones.
 bool cfIsPlain(const hdf5::NetcdfFile& file, int variable);
 
 // A part of a variable: where it begins along each dimension, and how many values it has there.
@@ -41,7 +43,8 @@ struct CfSlab
 	std::size_t count() const; // throws a Refusal for more than there can be
 };
 
-// In the order of the file.
+// Returns values in the order of the file: as they are stored, or as they are meant.
+vtkSmartPointer<vtkDataArray> cfStored(const hdf5::NetcdfFile& file, int variable, const CfSlab& slab);
 vtkSmartPointer<vtkDataArray> cfArray(const hdf5::NetcdfFile& file, int variable, const CfSlab& slab);
 std::vector<double> cfNumbers(const hdf5::NetcdfFile& file, int variable, const CfSlab& slab);
 std::vector<double> cfNumbers(const hdf5::NetcdfFile& file, int variable);
