@@ -70,8 +70,8 @@ void addFaces(const FoamMesh& mesh, const FoamField& field, Means& means)
 				foamTuple(*values.values, static_cast<std::size_t>(i), tuple.data());
 			else
 				foamTuple(*field.inside, static_cast<std::size_t>(mesh.owners[face]), tuple.data());
-			for (std::int64_t corner = mesh.faces.starts[face]; corner < mesh.faces.starts[face + 1]; ++corner)
-				means.add(static_cast<std::size_t>(mesh.faces.corners[static_cast<std::size_t>(corner)]), tuple.data());
+			for (const std::int64_t corner : mesh.faces[face])
+				means.add(static_cast<std::size_t>(corner), tuple.data());
 		}
 	}
 }

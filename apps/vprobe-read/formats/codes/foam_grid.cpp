@@ -28,12 +28,6 @@ vtkSmartPointer<vtkDataArray> newArray(bool is_double)
 	return vtkSmartPointer<vtkFloatArray>::New();
 }
 
-std::span<const std::int64_t> cornersOfFace(const FoamMesh& mesh, std::size_t face)
-{
-	const auto first = static_cast<std::size_t>(mesh.faces.starts[face]);
-	return std::span(mesh.faces.corners).subspan(first, static_cast<std::size_t>(mesh.faces.starts[face + 1]) - first);
-}
-
 } // namespace
 
 void foamTuple(const FoamList& list, std::size_t element, double* tuple)
@@ -76,7 +70,7 @@ vtkSmartPointer<vtkPolyData> foamFacesOf(const FoamMesh& mesh, std::span<const F
 	for (const FoamPatch* patch : patches)
 		for (std::int64_t face = patch->first; face < patch->first + patch->faces; ++face)
 		{
-			const auto corners = cornersOfFace(mesh, static_cast<std::size_t>(face));
+			const auto corners = mesh.faces[static_cast<std::size_t>(face)];
 			used.insert(used.end(), corners.begin(), corners.end());
 		}
 	std::sort(used.begin(), used.end());
@@ -90,7 +84,7 @@ vtkSmartPointer<vtkPolyData> foamFacesOf(const FoamMesh& mesh, std::span<const F
 	for (const FoamPatch* patch : patches)
 		for (std::int64_t face = patch->first; face < patch->first + patch->faces; ++face)
 		{
-			const auto corners = cornersOfFace(mesh, static_cast<std::size_t>(face));
+			const auto corners = mesh.faces[static_cast<std::size_t>(face)];
 			polygons->InsertNextCell(static_cast<int>(corners.size()));
 			for (const std::int64_t corner : corners)
 				polygons->InsertCellPoint(std::lower_bound(used.begin(), used.end(), corner) - used.begin());

@@ -7,11 +7,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
 #include <span>
 #include <string>
 
@@ -34,28 +32,25 @@ const std::string& nameInWhole(const FoamPatch& patch)
 	return patch.cyclic.empty() ? patch.name : patch.cyclic;
 }
 
-std::span<const std::int64_t> cornersOf(const FoamFaces& faces, std::int64_t face)
-{
-	const auto f = static_cast<std::size_t>(face);
-	const auto first = static_cast<std::size_t>(faces.starts[f]);
-	return std::span(faces.corners).subspan(first, static_cast<std::size_t>(faces.starts[f + 1]) - first);
-}
-
 double distance(const double* a, const double* b)
 {
 	return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-// Places are one if they differ by less: a thousandth of a face, and the last digits of a text.
+// The last digits of a text may differ.
+double lastDigitsOf(const double* place)
+{
+	return 1e-5 * std::max({std::abs(place[0]), std::abs(place[1]), std::abs(place[2])});
+}
+
+// Corners are one if they differ by less: a thousandth of the face, and the last digits.
 double tolerance(const FoamMesh& mesh, std::span<const std::int64_t> corners)
 {
-	double size = 0.0, far = 0.0;
+	double size = 0.0;
 	const double* first = mesh.points.at(static_cast<std::size_t>(corners[0]));
 	for (const std::int64_t corner : corners)
 		size = std::max(size, distance(first, mesh.points.at(static_cast<std::size_t>(corner))));
-	for (int axis = 0; axis < 3; ++axis)
-		far = std::max(far, std::abs(first[axis]));
-	return 1e-3 * size + 1e-5 * far;
+	return 1e-3 * size + lastDigitsOf(first);
 }
 
 class Join
@@ -146,8 +141,8 @@ private:
 		const FoamMesh &a = parts_[pair.a], &b = parts_[pair.b];
 		for (std::int64_t i = 0; i < pair.patch_a->faces; ++i)
 		{
-			const auto of_a = cornersOf(a.faces, pair.patch_a->first + i);
-			const auto of_b = cornersOf(b.faces, pair.patch_b->first + i);
+			const auto of_a = a.faces[static_cast<std::size_t>(pair.patch_a->first + i)];
+			const auto of_b = b.faces[static_cast<std::size_t>(pair.patch_b->first + i)];
 			const std::size_t n = of_a.size();
 			bool is_one = n == of_b.size() && n > 0;
 			const double near = is_one ? tolerance(a, of_a) : 0.0;
@@ -189,12 +184,15 @@ private:
 				const auto number = static_cast<std::size_t>(numbers.points[i]);
 				const std::size_t point = first_points_[p] + i;
 				end = std::max(end, number + 1);
+				const std::size_t root = joined.root(static_cast<std::uint32_t>(point));
 				if (point_of_number[number] == kNone)
 				{
 					point_of_number[number] = static_cast<std::int64_t>(point);
 					++points;
 				}
-				const std::size_t root = joined.root(static_cast<std::uint32_t>(point));
+				else if (const auto other = static_cast<std::size_t>(point_of_number[number]);
+				         joined.root(static_cast<std::uint32_t>(other)) != root && !areOne(other, point))
+					return false;
 				if (root != point && numberOf(root) != numbers.points[i])
 					return false;
 			}
@@ -202,11 +200,23 @@ private:
 		return points == end;
 	}
 
+	// The part that a point is of, if all points are in a row.
+	std::size_t partOf(std::size_t point) const
+	{
+		return static_cast<std::size_t>(std::upper_bound(first_points_.begin(), first_points_.end(), point) -
+		                                first_points_.begin() - 1);
+	}
 	std::int64_t numberOf(std::size_t point) const
 	{
-		const auto p = static_cast<std::size_t>(std::upper_bound(first_points_.begin(), first_points_.end(), point) -
-		                                        first_points_.begin() - 1);
+		const std::size_t p = partOf(point);
 		return told_[p].points[point - first_points_[p]];
+	}
+	// Whether two points lie in one place: parts that touch at an edge have no face to say so.
+	bool areOne(std::size_t a, std::size_t b) const
+	{
+		const std::size_t p = partOf(a), q = partOf(b);
+		const double* place = parts_[p].points.at(a - first_points_[p]);
+		return distance(place, parts_[q].points.at(b - first_points_[q])) <= lastDigitsOf(place);
 	}
 
 	// Counts points and cells, one part after the other.
@@ -247,7 +257,7 @@ private:
 	void addFace(std::size_t part, std::int64_t face)
 	{
 		FoamMesh& whole = region_.mesh;
-		for (const std::int64_t corner : cornersOf(parts_[part].faces, face))
+		for (const std::int64_t corner : parts_[part].faces[static_cast<std::size_t>(face)])
 			whole.faces.corners.push_back(region_.numbers[part].points[static_cast<std::size_t>(corner)]);
 		whole.faces.starts.push_back(static_cast<std::int64_t>(whole.faces.corners.size()));
 		whole.owners.push_back(cellOf(part, parts_[part].owners[static_cast<std::size_t>(face)]));

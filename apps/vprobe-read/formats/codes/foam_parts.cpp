@@ -1,9 +1,5 @@
 #include "foam_parts.h"
 
-#include "vprobe-read/base/refusal.h"
-
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 #include <map>
@@ -115,8 +111,7 @@ FoamParts partsOf(const Decomposition& decomposition, std::size_t all)
 		parts.places.push_back(place);
 	}
 	if (parts.places.size() != std::max(decomposition.places.size(), all))
-		throw Refusal(fmt::format("its part of processor {} is missing; copy the folders of all processors beside it",
-		                          parts.places.size()));
+		parts.missing = parts.places.size();
 	std::map<std::string, std::size_t> folders; // that have a time
 	std::map<std::string, double> values;
 	for (const fs::path& folder : decomposition.folders)
@@ -142,7 +137,7 @@ FoamParts foamParts(const fs::path& folder)
 	for (const auto& [all, decomposition] : decompositionsIn(folder))
 	{
 		FoamParts parts = partsOf(decomposition, all);
-		if (latest.places.empty() || lastFoamTime(parts.times) > lastFoamTime(latest.times))
+		if ((latest.places.empty() && !latest.missing) || lastFoamTime(parts.times) > lastFoamTime(latest.times))
 			latest = std::move(parts);
 	}
 	return latest;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,6 +51,11 @@ struct FoamFaces
 	std::vector<std::int64_t> corners;
 
 	std::size_t size() const { return starts.size() - 1; }
+	std::span<const std::int64_t> operator[](std::size_t face) const
+	{
+		const auto first = static_cast<std::size_t>(starts[face]);
+		return std::span(corners).subspan(first, static_cast<std::size_t>(starts[face + 1]) - first);
+	}
 };
 
 struct FoamPatch

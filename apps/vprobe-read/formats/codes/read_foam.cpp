@@ -46,25 +46,41 @@ bool hasMesh(const fs::path& folder)
 	return false;
 }
 
-// The files of the case at the time that is asked for. Where processors have later times than the case itself, or it
-// has no mesh, their parts are put together. Offers all times.
+// Whether the parts of processors are shown, put together: they are if they have later times than the case itself, or
+// if it has no mesh.
+bool showsParts(const FoamParts& parts, const std::vector<FoamTime>& own, bool has_mesh, manifest::Writer& manifest)
+{
+	if (has_mesh && lastFoamTime(parts.times) <= lastFoamTime(own))
+		return false;
+	if (parts.missing)
+	{
+		const std::string lack = fmt::format(
+		    "part of processor {} is missing; copy the folders of all processors beside it", *parts.missing);
+		if (!has_mesh)
+			throw Refusal("its " + lack);
+		manifest.warn(fmt::format("its times up to {} lie with its processors and are not shown, since the {}",
+		                          parts.times.back().value, lack));
+		return false;
+	}
+	if (parts.places.empty())
+		return false;
+	if (has_mesh && own.size() > 1)
+		manifest.warn(fmt::format("the parts of its {} processors are shown, since they have later times than the case "
+		                          "itself; run reconstructPar to see both",
+		                          parts.places.size()));
+	if (parts.unfinished > 0)
+		manifest.warn(fmt::format("left out: {} times that only some of its processors have", parts.unfinished));
+	return true;
+}
+
+// The files of the case at the time that is asked for. Offers all times.
 FoamWhole chosenFiles(const fs::path& folder, const Request& request, manifest::Writer& manifest)
 {
 	std::vector<FoamTime> all = foamTimes(folder);
 	FoamParts parts = foamParts(folder);
-	const bool has_mesh = hasMesh(folder);
-	const bool is_decomposed = !parts.places.empty() && (!has_mesh || lastFoamTime(parts.times) > lastFoamTime(all));
+	const bool is_decomposed = showsParts(parts, all, hasMesh(folder), manifest);
 	if (is_decomposed)
-	{
-		if (has_mesh && all.size() > 1)
-			manifest.warn(
-			    fmt::format("the parts of its {} processors are shown, since they have later times than the case "
-			                "itself; run reconstructPar to see both",
-			                parts.places.size()));
-		if (parts.unfinished > 0)
-			manifest.warn(fmt::format("left out: {} times that only some of its processors have", parts.unfinished));
 		all = std::move(parts.times);
-	}
 	std::error_code none;
 	if (!is_decomposed && !fs::is_directory(folder / "constant", none))
 		throw damaged("constant/ is missing or cannot be opened");
