@@ -164,6 +164,7 @@ private:
 	std::optional<std::size_t> arrayOf(const grid::Field& field) const;
 	const Ranges* rangesOf(std::size_t array) const;
 	void checkRanges(std::span<const std::uint32_t> runs);
+	void checkRange(std::size_t array, std::uint32_t run, std::span<const float> ends) const;
 
 	Contents contents_;
 	std::vector<Part> parts_;

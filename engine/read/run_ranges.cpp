@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 namespace vp::read
 {
@@ -69,38 +70,44 @@ std::vector<std::uint32_t> PackedCells::holding(const grid::Field& field, int co
 // A surface of one value goes by the ranges, so values that were changed by hand would lose cells without a word.
 void PackedCells::checkRanges(std::span<const std::uint32_t> numbers)
 {
-	const std::lock_guard lock(ranges_mutex_);
-	for (auto& [array, ranges] : ranges_)
+	std::vector<std::pair<std::size_t, Ranges*>> asked_for;
+	{
+		const std::lock_guard lock(ranges_mutex_);
+		for (auto& [array, ranges] : ranges_)
+			asked_for.emplace_back(array, &ranges);
+	}
+	for (const auto& [array, ranges] : asked_for)
 	{
 		std::vector<std::uint32_t> unchecked;
 		for (const std::uint32_t run : numbers)
-			if (!ranges.are_checked[run])
+			if (!ranges->are_checked[run])
 				unchecked.push_back(run);
-		grid::Field field = contents_.arrays[array].field;
-		field.bytes = {arrays_[array], arrays_[array]->data(), arrays_[array]->size()};
-		const std::size_t columns = columnsOfRanges(field.components);
-		const auto check = [&, &ends = ranges.ends](std::size_t i)
-		{
-			const std::uint32_t run = unchecked[i];
-			const auto* ids = id_memory_->as<std::int32_t>() + first_ids_[run];
-			for (std::uint64_t id = 0; id < contents_.run_ids[run]; ++id)
-				for (std::size_t column = 0; column < columns; ++column)
-				{
-					const bool is_length = column + 1 == columns && columns > 1;
-					const double value = grid::shownValue(field, static_cast<std::size_t>(ids[id]),
-					                                      is_length ? grid::kMagnitude : static_cast<int>(column));
-					const float* range = ends.data() + (run * columns + column) * 2;
-					if (std::isfinite(value) && !(range[0] <= value && value <= range[1]))
-						throw parts::Unreadable(
-						    fmt::format("{}: truncated or damaged: a value of {} lies outside the range of "
-						                "its cells; pack the file again",
-						                contents_.file->name(), field.name));
-				}
-		};
-		tracedFor(std::size_t(0), unchecked.size(), check);
+		tracedFor(std::size_t(0), unchecked.size(),
+		          [&, a = array, &ends = ranges->ends](std::size_t i) { checkRange(a, unchecked[i], ends); });
 		for (const std::uint32_t run : unchecked)
-			ranges.are_checked[run] = true;
+			ranges->are_checked[run] = true;
 	}
+}
+
+void PackedCells::checkRange(std::size_t array, std::uint32_t run, std::span<const float> ends) const
+{
+	grid::Field field = contents_.arrays[array].field;
+	field.bytes = {arrays_[array], arrays_[array]->data(), arrays_[array]->size()};
+	const std::size_t columns = columnsOfRanges(field.components);
+	const float* of_run = ends.data() + run * columns * 2;
+	const auto* ids = id_memory_->as<std::int32_t>() + first_ids_[run];
+	for (std::uint64_t id = 0; id < contents_.run_ids[run]; ++id)
+		for (std::size_t column = 0; column < columns; ++column)
+		{
+			const bool is_length = column + 1 == columns && columns > 1;
+			const double value = grid::shownValue(field, static_cast<std::size_t>(ids[id]),
+			                                      is_length ? grid::kMagnitude : static_cast<int>(column));
+			if (std::isfinite(value) && !(of_run[2 * column] <= value && value <= of_run[2 * column + 1]))
+				throw parts::Unreadable(
+				    fmt::format("{}: truncated or damaged: a value of {} lies outside the range of its "
+				                "cells; pack the file again",
+				                contents_.file->name(), field.name));
+		}
 }
 
 } // namespace vp::read
