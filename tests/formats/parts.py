@@ -305,7 +305,7 @@ def stored_netcdf(folder):
             for axis in 'xyz':
                 places = file.createVariable(axis, 'f8', (axis,))
                 places.axis = axis.upper()
-                places[:] = numpy.arange(sides[axis]) * {'x': 0.5, 'y': 1.0, 'z': 2.0}[axis]
+                places[:] = numpy.arange(sides[axis]) * {'x': 0.5, 'y': -1.0 if name == 'missing' else 1.0, 'z': 2.0}[axis]
             fill = attributes.pop('_FillValue', None)
             made = file.createVariable('v', kind, tuple(order), fill_value=fill, **options)
             made.setncatts(attributes)
