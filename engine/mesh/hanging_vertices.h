@@ -1,10 +1,10 @@
 #pragma once
 
+#include "base/union_find.h"
 #include "grid/block.h"
 #include "mesh/seam_values.h"
 #include "mesh/seam_vertices.h"
 #include "mesh/sheet_mesh.h"
-#include "base/union_find.h"
 
 #include <span>
 

@@ -2,10 +2,10 @@
 
 #include "base/key_numbers.h"
 #include "base/place_key.h"
+#include "base/union_find.h"
 #include "mesh/mesh_seams.h"
 #include "mesh/seam_values.h"
 #include "mesh/seam_vertices.h"
-#include "base/union_find.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "base/union_find.h"
 #include "grid/block.h"
 #include "mesh/sheet_mesh.h"
-#include "base/union_find.h"
 
 namespace vp::mesh
 {

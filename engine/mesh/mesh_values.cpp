@@ -3,10 +3,10 @@
 #include "base/parallel_for.h"
 #include "base/prefetch.h"
 #include "base/two_doubles.h"
+#include "base/union_find.h"
 #include "grid/number_types.h"
 #include "grid/shown_value.h"
 #include "mesh/fetch_values.h"
-#include "base/union_find.h"
 
 #include <tbb/blocked_range.h>
 

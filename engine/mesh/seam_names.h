@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mesh/sheet_mesh.h"
 #include "base/union_find.h"
+#include "mesh/sheet_mesh.h"
 
 #include <cstdint>
 #include <vector>

@@ -183,7 +183,7 @@ def damaged_newest(folder):
     values = field(numpy)
     rng = random.Random(3)
     cut = ['--normal', '0.3', '0.5', '0.81', '--memory', PACKED]
-    refusals = 0
+    tries = refusals = 0
     for index, how in INDICES.items():
         path = vtkhdf(folder / f'{index}.hdf', {'f': values}, libver='latest', compression='gzip', fletcher32=True,
                       **how)
@@ -200,6 +200,7 @@ def damaged_newest(folder):
             out = against.scratch / 'damaged.csv'
             done = subprocess.run([against.VPROBE, 'slice', path, *cut, '--classify', 'cpu', '-o', out],
                                   capture_output=True, encoding='utf-8', check=False)
+            tries += 1
             refusals += done.returncode != 0
             if done.returncode:
                 assert done.returncode == 2 and done.stderr.count('\n') == 1, (index, at, done)
@@ -207,7 +208,7 @@ def damaged_newest(folder):
                 some = out.read_bytes()
                 assert table(path, cut[:4])[0] == some, (index, at)
         path.write_bytes(contents)
-    assert refusals > 3, refusals
+    assert refusals > (3 if tries > 30 else 0), (refusals, tries)
 
 
 CASES = [newest_indices, newest_kinds, newest_chunks, newest_elsewhere, damaged_newest]

@@ -1,8 +1,8 @@
 #include "ranks/join/borders.h"
 
 #include "base/place_key.h"
-#include "measure/components.h"
 #include "base/union_find.h"
+#include "measure/components.h"
 #include "ranks/data/share.h"
 #include "ranks/join/border_faces.h"
 #include "ranks/join/hanging_borders.h"

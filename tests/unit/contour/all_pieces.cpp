@@ -1,11 +1,11 @@
 #include "all_pieces.h"
 
+#include "base/union_find.h"
 #include "exhaustive.h"
 #include "find/cell_signs.h"
 #include "find/curved_sheet.h"
 #include "mesh/build_mesh.h"
 #include "mesh/sheet_mesh.h"
-#include "base/union_find.h"
 
 #include <algorithm>
 #include <map>
