@@ -18,6 +18,28 @@
 namespace vp::session
 {
 
+namespace
+{
+
+// Nothing but the sheets of a probe is shown.
+bool looksAtSheetsAlone(const view::ViewSpec& spec)
+{
+	const view::ProbeSpec& probe = spec.probe;
+	return !probe.threshold && !probe.vectors.on() && !spec.look.contour.isGiven() && spec.look.context.empty() &&
+	       !view::replacesSheets(probe.surface);
+}
+
+} // namespace
+
+bool meetsFewValues(const view::ViewSpec& spec)
+{
+	const view::ProbeSpec& probe = spec.probe;
+	const surface::ImplicitSurface* surface = view::implicitSurface(probe.surface);
+	const auto asksForValues = [](const probe::Sheet& sheet) { return sheet.form && sheet.form->isoValue(); };
+	return looksAtSheetsAlone(spec) && !(surface && surface->isoValue()) &&
+	       !(probe.own && std::ranges::any_of(probe.own->probe.sheets, asksForValues));
+}
+
 bool looksAtCutAlone(const view::ViewSpec& spec)
 {
 	return looksAtSheetsAlone(spec) && !needsNeighbors(spec) && !spec.input.displace &&

@@ -10,6 +10,9 @@
 namespace vp::session
 {
 
+/// Returns true if a cut by the settings looks at the values where it lies, and nowhere else.
+bool meetsFewValues(const view::ViewSpec& spec);
+
 /// Returns true if frames by the settings look at nothing but cells that the sheets meet, where they are in the file.
 bool looksAtCutAlone(const view::ViewSpec& spec);
 

@@ -25,22 +25,6 @@ bool servesOneCut(const view::ViewSpec& spec)
 	       (!machine.strategy || machine.strategy == find::Strategy::spans);
 }
 
-bool looksAtSheetsAlone(const view::ViewSpec& spec)
-{
-	const view::ProbeSpec& probe = spec.probe;
-	return !probe.threshold && !probe.vectors.on() && !spec.look.contour.isGiven() && spec.look.context.empty() &&
-	       !view::replacesSheets(probe.surface);
-}
-
-bool meetsFewValues(const view::ViewSpec& spec)
-{
-	const view::ProbeSpec& probe = spec.probe;
-	const surface::ImplicitSurface* surface = view::implicitSurface(probe.surface);
-	const auto asksForValues = [](const probe::Sheet& sheet) { return sheet.form && sheet.form->isoValue(); };
-	return looksAtSheetsAlone(spec) && !(surface && surface->isoValue()) &&
-	       !(probe.own && std::ranges::any_of(probe.own->probe.sheets, asksForValues));
-}
-
 bool needsNeighbors(const view::ViewSpec& spec)
 {
 	const view::ProbeSpec& probe = spec.probe;

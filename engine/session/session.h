@@ -276,12 +276,6 @@ bool servesOneCut(const view::ViewSpec& spec);
 /// Returns "gpu", "cpu", or "mixed" if the CPU classifies a block because of a limit of the device.
 const char* classifierName(const Session& session);
 
-/// Returns true if the settings show nothing but the sheets of a probe.
-bool looksAtSheetsAlone(const view::ViewSpec& spec);
-
-/// Returns true if a cut by the settings looks at the values where it lies, and nowhere else.
-bool meetsFewValues(const view::ViewSpec& spec);
-
 bool isEmpty(const cut::SheetCut& sheet);
 
 /// Warns of empty sheets and moved hot spots. Returns an error if a hot spot lies outside and `outside` is refuse.
