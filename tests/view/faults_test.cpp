@@ -47,6 +47,8 @@ TEST_P(WindowOnAFaultyDevice, Stays)
 	EXPECT_TRUE(eventually([&] { return cli::sizeOf(cli::contents(path("window.png"))).width > 0; }));
 	close(err());
 	EXPECT_EQ(err().find("what was set is kept"), std::string::npos) << err();
+	// The fault was met.
+	EXPECT_GE(std::stoull(cli::contents(path("calls"))), std::stoull(GetParam().substr(GetParam().find(':') + 1)));
 }
 
 INSTANTIATE_TEST_SUITE_P(, WindowOnAFaultyDevice,
@@ -58,10 +60,14 @@ INSTANTIATE_TEST_SUITE_P(, WindowOnAFaultyDevice,
 	                             for (int n = 176; n < 876; n += 7) // the window is open
 		                             for (const char* kind : {"host:", "device:", "lost:"})
 			                             faults.push_back(kind + std::to_string(n));
+	                             for (int n = 2; n < 80; n += 3)
+		                             for (const char* kind : {"surface:", "date:"})
+			                             faults.push_back(kind + std::to_string(n));
 	                             return faults;
                              }()),
 #else
-                         testing::Values("lost:60", "lost:400", "host:170", "device:270", "device:600"),
+                         testing::Values("lost:60", "lost:400", "host:170", "device:270", "device:600", "surface:7", "surface:20",
+                                         "date:6", "date:21"),
 #endif
                          [](const auto& info)
                          {

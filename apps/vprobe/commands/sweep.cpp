@@ -90,8 +90,7 @@ Result<std::unique_ptr<SweepProducts>> productsOf(const SweepOptions& options, s
 	                             options.exports() ? options.output : "");
 }
 
-Result<nlohmann::json> sweepAlong(const probe::Path& path, const SweepPlan& plan, session::Session& session,
-                                  SweepProducts& products)
+Status sweepAlong(const probe::Path& path, const SweepPlan& plan, session::Session& session, SweepProducts& products)
 {
 	const std::vector<probe::Frame> poses =
 	    probe::poses(path, session.view().probe, session.blocks().bounds(), plan.frames);
@@ -105,7 +104,7 @@ Result<nlohmann::json> sweepAlong(const probe::Path& path, const SweepPlan& plan
 	return sweepThrough(plan, ask, session, products);
 }
 
-Result<nlohmann::json> sweepOverTimes(SweepPlan plan, session::Session& session, SweepProducts& products)
+Status sweepOverTimes(SweepPlan plan, session::Session& session, SweepProducts& products)
 {
 	const std::vector<double> times = session.blocks().times;
 	plan.frames = static_cast<int>(times.size());
@@ -180,24 +179,31 @@ Result<ExitCode> runSweep(const SweepOptions& options)
 	    productsOf(options, session, std::move(*look), std::move(*frames));
 	if (!products)
 		return products.error();
+	std::optional<FrameFigures> figures;
+	if (!options.stats.empty())
+	{
+		Result<FrameFigures> made = FrameFigures::create(options.stats);
+		if (!made)
+			return made.error();
+		figures.emplace(std::move(*made));
+	}
 	const bool threads = spec.machine.threads != 1 && session.ranks().mayCallAtOnce(); // one thread is one
 	const SweepPlan plan{*count,
 	                     threads,
 	                     threads,
-	                     !options.stats.empty(),
+	                     figures ? &*figures : nullptr,
 	                     *trace ? &**trace : nullptr,
 	                     (*products)->makesFiles() ? FrameScope::Stop::file : FrameScope::Stop::cut};
-	Result<nlohmann::json> figures = spec.sweep.over_times
-	                                     ? sweepOverTimes(plan, session, **products)
-	                                     : sweepAlong(view::pathOf(spec.sweep), plan, session, **products);
-	if (!figures)
-		return figures.error();
+	if (Status swept = spec.sweep.over_times ? sweepOverTimes(plan, session, **products)
+	                                         : sweepAlong(view::pathOf(spec.sweep), plan, session, **products);
+	    !swept)
+		return swept.error();
 	if (*trace)
 		if (Status written = commitTrace(session, **trace); !written)
 			return written.error();
 	if (Status saved = saveSpec(options.common); !saved)
 		return saved.error();
-	return writeStats(options.stats, {}, statsDocument(session, {{"frames", std::move(*figures)}}));
+	return figures ? figures->write(session) : ExitCode::done;
 }
 
 } // namespace

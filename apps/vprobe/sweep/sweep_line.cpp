@@ -7,6 +7,8 @@
 #include "report/stats_json.h"
 #include "session/time_steps.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <future>
 #include <optional>
@@ -70,8 +72,7 @@ private:
 			    !moved)
 				return moved.error();
 		session::FrameRequest request = ask_(frame);
-		request.wants = {.figures =
-		                     plan_.wants_figures ? session::Wants::Figures::all : session::Wants::Figures::for_picture,
+		request.wants = {.figures = plan_.figures ? session::Wants::Figures::all : session::Wants::Figures::for_picture,
 		                 .warns = false};
 		request.last = last_;
 		Result<std::shared_ptr<const session::Frame>> made = session_.frame(request);
@@ -79,7 +80,7 @@ private:
 			return made.error();
 		last_ = *made;
 		SweptFrame swept{std::move(*made), plan_.times ? session_.time() : std::nullopt, {}};
-		if (plan_.wants_figures)
+		if (plan_.figures)
 			swept.figures = {{"sheets", sheetsJson(session_, swept.cut->slice, swept.cut->sheets)},
 			                 {"contours", contoursJson(session_, swept.cut->contours)},
 			                 {"parts", partsJson(session_)}};
@@ -131,10 +132,8 @@ Error firstError(SweepProducts& products, const Error& error)
 
 } // namespace
 
-Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const AskFrame& ask, session::Session& session,
-                                    SweepProducts& products)
+Status sweepThrough(const SweepPlan& plan, const AskFrame& ask, session::Session& session, SweepProducts& products)
 {
-	nlohmann::json figures = nlohmann::json::array();
 	int empty = 0;
 	int in_boundary = 0;
 	RemainingTime remaining(static_cast<std::size_t>(plan.frames));
@@ -163,13 +162,14 @@ Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const AskFrame& ask, 
 			cutter.start(next);
 		remaining.done();
 		empty += isEmpty(session, *cut->cut);
-		if (plan.wants_figures)
+		if (plan.figures)
 		{
 			in_boundary += hasBoundarySheet(*cut->cut);
-			figures.push_back(cut->figures);
-			figures.back()["frame"] = frame;
+			nlohmann::json figures = cut->figures;
+			figures["frame"] = frame;
 			if (cut->time)
-				figures.back()["time"] = *cut->time;
+				figures["time"] = *cut->time;
+			plan.figures->add(session, std::move(figures));
 		}
 		if (plan.trace)
 			addToTrace(session, *plan.trace);
@@ -184,7 +184,7 @@ Result<nlohmann::json> sweepThrough(const SweepPlan& plan, const AskFrame& ask, 
 		warn("in {} of {} frames a sheet lies in the boundary of the grid and cuts no cell, so its area is 0; "
 		     "boundary_area, boundary_mean and boundary_flux are its figures",
 		     in_boundary, plan.frames);
-	return figures;
+	return Nothing{};
 }
 
 } // namespace vp::app

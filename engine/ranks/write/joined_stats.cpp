@@ -71,6 +71,11 @@ json sheetsOfRank(const json& document)
 	return sheets;
 }
 
+std::string textOf(const json& value)
+{
+	return value.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
 } // namespace
 
 nlohmann::json resourcesOf(const Ranks& ranks, const grid::BlockSet& blocks)
@@ -110,6 +115,24 @@ std::string tableOfAll(const Ranks& ranks, const std::string& title, const std::
 	return table;
 }
 
+nlohmann::json figuresOfAll(const Ranks& ranks, nlohmann::json own)
+{
+	if (!ranks.team())
+		return own;
+	MessageWriter message;
+	message.put(textOf(own));
+	const std::vector<Bytes> of_all = ranks.team()->gatherAll(message.take());
+	for (std::size_t rank = 0; rank < of_all.size(); ++rank)
+	{
+		json of_rank = json::parse(MessageReader(of_all[rank]).getText());
+		if (rank == 0)
+			own = std::move(of_rank);
+		else
+			addSheets(own, of_rank);
+	}
+	return own;
+}
+
 nlohmann::json documentOfAll(const Ranks& ranks, const grid::BlockSet& blocks, nlohmann::json own)
 {
 	if (!ranks.team())
@@ -119,7 +142,7 @@ nlohmann::json documentOfAll(const Ranks& ranks, const grid::BlockSet& blocks, n
 	rank["sheets"] = sheetsOfRank(own);
 	json mine = {{"document", own}, {"rank", std::move(rank)}};
 	MessageWriter message;
-	message.put(mine.dump(-1, ' ', false, json::error_handler_t::replace));
+	message.put(textOf(mine));
 	json whole = std::move(own);
 	json told = json::array();
 	for (const Bytes& bytes : ranks.team()->gatherAll(message.take()))
@@ -128,11 +151,7 @@ nlohmann::json documentOfAll(const Ranks& ranks, const grid::BlockSet& blocks, n
 		if (told.empty())
 			whole = of_rank["document"];
 		else
-		{
 			addSheets(whole, of_rank["document"]);
-			for (std::size_t f = 0; whole.contains("frames") && f < whole["frames"].size(); ++f)
-				addSheets(whole["frames"][f], of_rank["document"]["frames"][f]);
-		}
 		told.push_back(std::move(of_rank["rank"]));
 	}
 	whole["ranks"] = std::move(told);

@@ -3,9 +3,28 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <string_view>
 
 namespace vp::layer
 {
+
+namespace
+{
+
+struct FaultKind
+{
+	std::string_view name;
+	unsigned bit;
+	VkResult result;
+};
+
+constexpr FaultKind kFaultKinds[] = {{"host", kHostMemory, VK_ERROR_OUT_OF_HOST_MEMORY},
+                                     {"device", kDeviceMemory, VK_ERROR_OUT_OF_DEVICE_MEMORY},
+                                     {"lost", kLost, VK_ERROR_DEVICE_LOST},
+                                     {"surface", kSurface, VK_ERROR_SURFACE_LOST_KHR},
+                                     {"date", kOutOfDate, VK_ERROR_OUT_OF_DATE_KHR}};
+
+} // namespace
 
 Faults::Faults()
 {
@@ -14,11 +33,15 @@ Faults::Faults()
 		return;
 	const std::string text = set;
 	const std::size_t colon = text.find(':');
-	const std::string kind = text.substr(0, colon);
-	kind_ = kind == "host" ? kHostMemory : kind == "device" ? kDeviceMemory : kind == "lost" ? kLost : 0u;
+	for (const FaultKind& kind : kFaultKinds)
+		if (text.substr(0, colon) == kind.name)
+		{
+			kind_ = kind.bit;
+			result_ = kind.result;
+		}
 	if (kind_ == 0 || colon == std::string::npos)
 	{
-		std::fprintf(stderr, "VPROBE_LAYER_FAULT: host:N, device:N or lost:N, not %s\n", set);
+		std::fprintf(stderr, "VPROBE_LAYER_FAULT: host:N, device:N, lost:N, surface:N or date:N, not %s\n", set);
 		std::_Exit(99);
 	}
 	at_ = std::strtoull(&text[colon + 1], nullptr, 10);
@@ -41,15 +64,9 @@ std::optional<VkResult> Faults::next(unsigned bits)
 	if ((bits & kind_) == 0)
 		return {};
 	const std::uint64_t call = ++calls_;
-	if (kind_ == kLost)
-	{
-		if (call == at_)
-			is_lost_ = true;
-		return is_lost_ ? std::optional(VK_ERROR_DEVICE_LOST) : std::nullopt;
-	}
-	if (call != at_)
-		return {};
-	return kind_ == kHostMemory ? VK_ERROR_OUT_OF_HOST_MEMORY : VK_ERROR_OUT_OF_DEVICE_MEMORY;
+	if (call == at_ && (kind_ & (kLost | kSurface)) != 0)
+		is_lost_ = true;
+	return call == at_ || is_lost_ ? std::optional(result_) : std::nullopt;
 }
 
 } // namespace vp::layer

@@ -84,7 +84,13 @@ struct Failing<VkResult(VKAPI_PTR*)(Handle, Rest...)>
 	{
 		const NextDevice& next = deviceOf(handle);
 		if (const auto fault = faults().next(bits))
+		{
+			// A picture that no longer fits is waited for all the same.
+			if (slot == slot_vkQueuePresentKHR &&
+			    (*fault == VK_ERROR_SURFACE_LOST_KHR || *fault == VK_ERROR_OUT_OF_DATE_KHR))
+				reinterpret_cast<Function>(next.calls[slot])(handle, rest...);
 			return failed(next, *fault);
+		}
 		return reinterpret_cast<Function>(next.calls[slot])(handle, rest...);
 	}
 };

@@ -50,9 +50,9 @@ namespace vp::layer
 	X(vkGetSemaphoreCounterValue, kAll)                                                                                \
 	X(vkGetQueryPoolResults, kAll)                                                                                     \
 	X(vkGetCalibratedTimestampsEXT, kMemory)                                                                           \
-	X(vkCreateSwapchainKHR, kAll)                                                                                      \
-	X(vkAcquireNextImageKHR, kAll)                                                                                     \
-	X(vkQueuePresentKHR, kAll)
+	X(vkCreateSwapchainKHR, kAll | kSurface)                                                                           \
+	X(vkAcquireNextImageKHR, kShowing)                                                                                 \
+	X(vkQueuePresentKHR, kShowing)
 
 enum Slot : std::size_t
 {

@@ -74,6 +74,7 @@ TEST(RanksAlone, HaveWhatTheProcessHas)
 	EXPECT_EQ(ranks::boundsOfAll(alone, mesh::UvBounds()), std::nullopt);
 	const grid::BlockSet blocks = wholeOf(Kind::lattice, straight, 1);
 	EXPECT_EQ(ranks::documentOfAll(alone, blocks, {{"sheets", 1}}), nlohmann::json({{"sheets", 1}}));
+	EXPECT_EQ(ranks::figuresOfAll(alone, {{"sheets", 1}}), nlohmann::json({{"sheets", 1}}));
 	EXPECT_EQ(ranks::countsOf(alone, blocks).cells, blocks.cellCount());
 	std::int32_t block = 7;
 	ranks::nameWholeBlocks(alone, {&block, 1});

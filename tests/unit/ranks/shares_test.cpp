@@ -162,7 +162,7 @@ TEST(Shares, WhatRanksCannotCarryOutIsRefused)
 	                });
 }
 
-// Counts are summed, and of generations the greatest is told: in the document, and in each of its frames.
+// Counts are summed, and of generations the greatest is told: in the document, and in a frame of a sweep.
 TEST(RanksOfTeam, FiguresOfADocumentAreThoseOfAll)
 {
 	ranks::withTeam(3,
@@ -175,13 +175,13 @@ TEST(RanksOfTeam, FiguresOfADocumentAreThoseOfAll)
 		                    {"contours", nlohmann::json::array({contourWith(10 + rank, 4 + rank)})}};
 		                nlohmann::json document = own;
 		                document["ms"] = 5;
-		                document["frames"] = nlohmann::json::array({own, own});
 		                const grid::BlockSet blocks =
 		                    shareOf({partOf(Kind::lattice, straight, 0), partOf(Kind::lattice, straight, 1),
 		                             partOf(Kind::lattice, straight, 2)},
 		                            team.rank());
 		                document = ranks::documentOfAll(ranks, blocks, document);
-		                for (const nlohmann::json& told : {document, document["frames"][0], document["frames"][1]})
+		                const nlohmann::json frame = ranks::figuresOfAll(ranks, own);
+		                for (const nlohmann::json& told : {document, frame})
 		                {
 			                EXPECT_EQ(told["sheets"][0], sheetWith(6, 7, true));
 			                EXPECT_EQ(told["contours"][0], contourWith(33, 6));
