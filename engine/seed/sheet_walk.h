@@ -138,11 +138,12 @@ struct PassedCell
 template <grid::Grid G>
 CellId nextCell(const G& grid, CellId cell, CellId before, const Crossings& crossings)
 {
-	for (int i = crossings.count; i-- > 0;)
+	const std::span met(crossings.at.data(), static_cast<std::size_t>(crossings.count));
+	for (auto crossing = met.rbegin(); crossing != met.rend(); ++crossing)
 	{
 		CellId next = kNoCell;
 		bool leads_back = false;
-		grid.forEachNeighbor(cell, crossings.at[i].face,
+		grid.forEachNeighbor(cell, crossing->face,
 		                     [&](CellId neighbor)
 		                     {
 			                     leads_back = leads_back || neighbor == before;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 
 namespace vp::grid
 {
@@ -111,15 +112,10 @@ private:
 		tbb::parallel_sort(sorted_);
 		// Where the buckets begin whose numbers begin with the same bits.
 		bits_ = std::max(1, static_cast<int>(std::bit_width(sorted_.size())) - 1);
-		starts_.resize((std::size_t(1) << bits_) + 1);
-		std::size_t at = 0;
-		for (std::size_t head = 0; head < starts_.size() - 1; ++head)
-		{
-			starts_[head] = static_cast<std::uint32_t>(at);
-			while (at < sorted_.size() && sorted_[at].first >> (64 - bits_) == head)
-				++at;
-		}
-		starts_.back() = static_cast<std::uint32_t>(sorted_.size());
+		starts_.assign((std::size_t(1) << bits_) + 1, 0);
+		for (const auto& [number, face] : sorted_)
+			++starts_[(number >> (64 - bits_)) + 1];
+		std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
 	}
 
 	// Links the face with all larger ones that it lies in.

@@ -100,6 +100,15 @@ TEST(RefinedCut, ValuesKeepToTheTolerance)
 	}
 }
 
+// A cell that bulges beyond its corners: a node in the middle of an edge reaches to z = 1.2.
+TEST(RefinedCut, BoundsHoldNodesBetweenCorners)
+{
+	const grid::Block block = quadraticCube(
+	    1, 0.002, [](Vec3 p) { return p + Vec3(0.0, 0.0, 0.2 * p.z * (1.0 - p.x * p.x) * (1.0 - p.y * p.y)); });
+	EXPECT_EQ(block.bounds.hi, Vec3(1.0, 1.0, 1.2));
+	EXPECT_EQ(block.bounds.lo, Vec3(-1.0, -1.0, -1.2));
+}
+
 // A vector's components are off together, as its length would be. Other arrays come along, integers rounded.
 TEST(RefinedCut, VectorsKeepToTheTolerance)
 {

@@ -78,6 +78,22 @@ TEST(NearestParts, APointHasItsVoxelsWholeSquare)
 	EXPECT_NEAR(areasOf(blocks, {Vec3(1.0), Vec3(1.0)}).at(7.0), 0.75 * std::sqrt(3.0), 1e-12);
 }
 
+// Four squares with nine corners: the middles of their twelve sides are corners of parts on both sides of each.
+TEST(NearestParts, ASideIsPartedOnceForBothItsPolygons)
+{
+	std::vector<std::int32_t> labels(27);
+	for (std::size_t p = 0; p < labels.size(); ++p)
+		labels[p] = static_cast<std::int32_t>(p);
+	const grid::BlockSet blocks = latticeOf(3, labels);
+	cut::Cutter cutter(blocks);
+	const NearestParts parts = partsOf(cut(cutter, {Vec3(1.0, 1.0, 0.8), Vec3(0.0, 0.0, 1.0)}), "label");
+	EXPECT_EQ(parts.mesh.polygons(), 16u);
+	int middles = 0;
+	for (const Vec3& p : parts.mesh.positions)
+		middles += (p.x == std::round(p.x)) != (p.y == std::round(p.y));
+	EXPECT_EQ(middles, 12);
+}
+
 TEST(NearestParts, PartsCoverTheirPolygonAndHaveTheNearestPoint)
 {
 	std::mt19937 random(7);

@@ -2,6 +2,8 @@
 #include "test_grids.h"
 
 #include "seed/boundary_cut.h"
+#include "seed/curved_seeds.h"
+#include "surface/implicit_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -243,6 +245,22 @@ TEST(NearestOnSegment, IsOnTheSegment)
 	EXPECT_EQ(seed::nearestOnSegment({0, 0, 0}, {2, 0, 0}, {-3, 1, 0}), Vec3(0, 0, 0));
 	EXPECT_EQ(seed::nearestOnSegment({0, 0, 0}, {2, 0, 0}, {5, 1, 0}), Vec3(2, 0, 0));
 	EXPECT_EQ(seed::nearestOnSegment({1, 1, 1}, {1, 1, 1}, {5, 1, 0}), Vec3(1, 1, 1));
+}
+
+// A lattice of 3 x 4 x 5 cells whose end along x lies in the quadric x = 0: 4 x 5 faces of cells that are not cut.
+TEST(Seeds, FacesInAQuadricAreTold)
+{
+	grid::Block block;
+	block.grid = grid::UniformGrid({4, 5, 6}, Vec3(0.0), Vec3(1.0));
+	grid::finishBlock(block);
+	const grid::BlockSet set = setOf(block);
+	const surface::ImplicitSurface form = surface::ImplicitSurface::parse("quadric:0,0,0,0,0,0,1,0,0,0").value();
+	const surface::BlockSurface placed(
+	    std::visit([](const auto& kind) -> surface::BlockSurface::Kind { return kind; }, form.placed(surface::Axes())));
+	const seed::SheetSeeds seeds =
+	    seed::findSeeds(set, {&placed, 1}, probe::makeSheet(Vec3(0.0), {1.0, 0.0, 0.0}), SeedMode::automatic);
+	ASSERT_EQ(seeds.faces_in_plane.size(), 1u);
+	EXPECT_EQ(seeds.faces_in_plane[0].size(), 20u);
 }
 
 } // namespace vp::test

@@ -49,6 +49,22 @@ TEST(SheetWindow, HoldsOnlyCellsWhoseCutFacesMeetIt)
 	EXPECT_LT(held, cut);
 }
 
+// It is the sheet's origin while the window holds that, its rim included.
+TEST(SheetWindow, HasItsHotSpotWithin)
+{
+	const Vec3 origin(1.0, 2.0, 3.0);
+	probe::Sheet sheet = probe::makeSheet(origin, {0.0, 0.0, 1.0}, {0.0, 1.0, 0.0});
+	for (const probe::Window& window :
+	     {probe::Window{-1.0, 1.0, -1.0, 1.0}, probe::Window{-1.0, 1.0, -2.0, 0.0}, probe::Window{-1.0, 1.0, 0.0, 2.0},
+	      probe::Window{-2.0, 0.0, -1.0, 1.0}, probe::Window{0.0, 2.0, -1.0, 1.0}})
+	{
+		sheet.window = window;
+		EXPECT_EQ(seed::SheetWindow(sheet).hotSpot(), origin) << window.x0 << ' ' << window.y0;
+	}
+	sheet.window = probe::Window{1.0, 3.0, 2.0, 6.0};
+	EXPECT_EQ(seed::SheetWindow(sheet).hotSpot(), origin + Vec3(2.0, 4.0, 0.0));
+}
+
 TEST(SheetWindow, HoldsNoCellThatReachesOverItsRim)
 {
 	const grid::UniformGrid grid({5, 5, 2}, {0.0, 0.0, -0.5}, {1.0, 1.0, 1.0});

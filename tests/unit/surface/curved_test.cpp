@@ -39,4 +39,13 @@ TEST(BlockSurface, CrossesAnEdgeAtOnePlaceFromBothEnds)
 	}
 }
 
+// On the way the height is exactly 1, which is no root.
+TEST(BlockSurface, GoesOnToTheRoot)
+{
+	const surface::ImplicitSurface form = surface::ImplicitSurface::parse("min(1, 4*x - 1)").value();
+	const surface::BlockSurface placed(
+	    std::visit([](const auto& kind) -> surface::BlockSurface::Kind { return kind; }, form.placed(surface::Axes())));
+	EXPECT_NEAR(placed.crossing(Vec3(0.0), Vec3(1.0, 0.0, 0.0), -1.0, 1.0), 0.25, 1e-14);
+}
+
 } // namespace vp::test

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace vp::test
 {
@@ -111,6 +112,15 @@ TEST(Interval, IsTheWholeLineWhereABoundIsNotKnown)
 	for (const char* text : {"1/x", "1/y", "x^-2", "sqrt(x)", "ln(y)", "asin(x)", "tan(y)", "pow(x, y)", "z^y", "y^x",
 	                         "exp(exp(exp(y + 2)))", "1/x - 1/x", "sin(1/x)", "y^-1"})
 		EXPECT_FALSE(over(text, box).isBounded()) << text;
+}
+
+// A logarithm reaches to -infinity, and 0 times that is no number.
+TEST(Interval, OfALogarithmThatHasNoLeastValueIsTheWholeLine)
+{
+	const Box box{{-1.0, 0.0, 1.0}, {2.0, 3.0, 2.0}};
+	for (const char* text : {"ln(y)", "log(y)", "log2(y)", "ln(x)"})
+		EXPECT_EQ(over(text, box).hi, std::numeric_limits<double>::infinity()) << text;
+	EXPECT_TRUE(over("ln(z)", box).isBounded());
 }
 
 TEST(Interval, TellsBoxesThatASphereMisses)
