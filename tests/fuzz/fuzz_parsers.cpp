@@ -93,14 +93,18 @@ std::vector<std::string> tecplotSeeds()
 	            cube + "7\n4 4 4 4 4 4\n1 4 3 2 5 6 7 8 1 2 6 5 2 3 7 6 3 4 8 7 4 1 5 8\n1 1 1 1 1 1\n0 0 0 0 0 0\n"};
 }
 
-// States, probes, paths and color maps, each with most of what it may have.
+// Settings, states, probes, paths and color maps, each with most of what it may have.
 std::vector<std::string> jsonSeeds()
 {
 	using namespace vp;
 	std::vector<std::string> seeds = {
+	    "Orange 0 5\nlog true\ncolormap viridis\nnormal 0 0 1\nwindow 2 3\n",
+	    "Osurface sphere:1.5\nthreshold -1 1\nopacity_points 0 0 1 1\nlines 5\nwindow_level 400 40\niso 0.5\n",
+	    "Oprobe paddlewheel\nvanes 5\npath spin\nframes 30\ncamera 30,45\nsize 640x480\n",
 	    R"(K{"Name":"a","ColorSpace":"Lab","NanColor":[1,0,0],"RGBPoints":[0,1,0,0,0.5,0,1,0,1,0,0,1],"Points":[0,0.5,0.5,0,1,1,0.5,0]})",
 	    R"(K[{"Name":"b","IndexedColors":[1,0,0,0,1,0],"Annotations":["1","one","2","two"]}])",
-	    R"(A{"path":"revolve","vanes":6})", R"(J{"version":1,"input":{"files":["a.vtu"]},"probe":{"normal":[0,0,1]}})"};
+	    R"(A{"path":"revolve","vanes":6})",
+	    R"(J{"version":1,"input":{"files":["a.vtu"]},"probe":{"normal":[0,0,1]}})"};
 	seeds.push_back(seed('B', probe::probeText(probe::trihedral({}))));
 	view::ViewSpec spec;
 	seeds.push_back(seed('J', view::stateText(spec, "state.json")));

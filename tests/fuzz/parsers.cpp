@@ -11,7 +11,9 @@
 #include "sample_files.h"
 #include "surface/expression.h"
 #include "surface/grid_index.h"
+#include "view/settings.h"
 #include "view/state_file.h"
+#include "view/validate.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/checks/netcdf_size.h"
 #include "vprobe-read/checks/xml_check.h"
@@ -143,6 +145,31 @@ void feedState(std::string_view input)
 	if (const Status read = view::readState(given, input, "state.json"); !read)
 		return require(read.error().message.find('\n') == std::string::npos && given == view::ViewSpec());
 	require(static_cast<bool>(view::readState(again, view::stateText(given, "state.json"), "state.json")));
+}
+
+// A key and a value each line, carried out as the window does. What is accepted can be saved and read again.
+void feedSettings(std::string_view input)
+{
+	view::ViewSpec spec;
+	while (!input.empty())
+	{
+		const std::string_view line = input.substr(0, input.find('\n'));
+		input.remove_prefix(std::min(line.size() + 1, input.size()));
+		const std::size_t space = std::min(line.find(' '), line.size());
+		view::ViewSpec next = spec;
+		const Status set =
+		    view::setByKey(next, line.substr(0, space), std::string(line.substr(std::min(space + 1, line.size()))));
+		if (!set)
+		{
+			require(set.error().message.find('\n') == std::string::npos);
+			continue;
+		}
+		if (const Status fits = view::validate(next); !fits)
+			continue;
+		spec = next;
+		view::ViewSpec again;
+		require(static_cast<bool>(view::readState(again, view::stateText(spec, "state.json"), "state.json")));
+	}
 }
 
 void feedColorMap(std::string_view input)
@@ -351,6 +378,8 @@ void feedParser(const std::uint8_t* data, std::size_t size)
 		feedPath(input);
 	else if (which == 'K')
 		feedColorMap(input);
+	else if (which == 'O')
+		feedSettings(input);
 	else if (which == 'F')
 		feedFoam(input);
 	else if (which == 'D')

@@ -1,5 +1,5 @@
-// For libFuzzer, which finds inputs that reach new code. Seeds come from fuzz_parsers --write-seeds. VPROBE_FUZZ_PARSER=E
-// keeps to one parser: its letter (parsers.h) is put before each input.
+// For libFuzzer, which finds inputs that reach new code. Seeds come from fuzz_parsers --write-seeds.
+// VPROBE_FUZZ_PARSER=E keeps to one parser: its letter (parsers.h) is put before each input.
 #include "parsers.h"
 
 #include <cstdlib>

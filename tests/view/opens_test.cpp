@@ -30,9 +30,9 @@ TEST_F(WindowThatOpensFiles, KeepsItsMemory)
 		const std::string& input = inputs[static_cast<std::size_t>(i) % inputs.size()];
 		command("open " + input);
 		command("wait");
-		if (i % 50 == 0)
+		if (i % 5 == 0)
 		{
-			ASSERT_EQ(settle()["input"]["files"][0], input);
+			ASSERT_EQ(settle()["input"]["files"][0], input.substr(input.rfind('/') + 1));
 		}
 		if (i == kWarm)
 			warm = program().residentBytes();

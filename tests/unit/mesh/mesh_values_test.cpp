@@ -9,7 +9,8 @@
 
 #include <array>
 #include <limits>
-#include <map>
+#include <set>
+#include <utility>
 
 namespace vp::test
 {
@@ -119,17 +120,21 @@ TEST(MeshValues, AMeshWithoutABlockKeepsWhatTheOthersHave)
 // A mesh is made in parts of some thousand cells, which share vertices all the same.
 TEST(MeshValues, ALongMeshHasEachVertexOnce)
 {
-	const grid::Block block = explicitHexahedra(50, [](int i, int j, int) { return (i + 2 * j) % 9 != 0; });
+	const grid::Block block = explicitHexahedra(80, [](int i, int j, int k) { return k > 1 || (i + 2 * j) % 9 != 0; });
 	const grid::BlockSet blocks = setOf(block);
-	for (const Search search : {Search::generations, Search::fastest})
+	for (const find::Strategy strategy : {find::Strategy::cells, find::Strategy::scan, find::Strategy::generations})
 	{
 		cut::Cutter cutter(blocks);
-		const SlicedSheet sheet = cut(cutter, {Vec3(0.5, 0.5, 0.513), Vec3(0.02, 0.05, 1.0)}, {}, search);
-		ASSERT_GT(sheet.cutCellCount(), 2048u);
-		std::map<std::pair<PointId, PointId>, int> vertices;
-		for (const mesh::EdgePoint& edge : sheet.mesh.edges)
-			++vertices[{edge.lower, edge.higher}];
-		EXPECT_EQ(vertices.size(), sheet.mesh.edges.size());
+		cut::CutRequest request;
+		request.strategy = strategy;
+		request.probe.sheets = {probe::makeSheet(Vec3(0.5, 0.5, 0.013), Vec3(0.002, 0.005, 1.0))};
+		const cut::Cut slice = std::move(cutter.cut(std::move(request)).value());
+		ASSERT_GT(slice.sheets[0].cuts[0].cutCells(), 2u * 2048u);
+		const mesh::SheetMesh sheet = slice.mesh(blocks, 0);
+		std::set<std::pair<PointId, PointId>> vertices;
+		for (const mesh::EdgePoint& edge : sheet.edges)
+			vertices.emplace(edge.lower, edge.higher);
+		EXPECT_EQ(vertices.size(), sheet.edges.size()) << static_cast<int>(strategy);
 	}
 }
 
