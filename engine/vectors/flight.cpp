@@ -280,15 +280,18 @@ Traces Flight::take()
 		traces.blocks[at] = point.block;
 		traces.cells[at] = point.cell;
 	};
-	tracedFor(std::size_t(0), particles_.size(),
-	          [&](std::size_t i)
+	// Both ways of a trace have the launch, so one thread puts both.
+	tracedFor(std::size_t(0), count,
+	          [&](std::size_t t)
 	          {
-		          Particle& particle = particles_[i];
-		          const std::size_t launch = traces.launches[i / ways_];
-		          const bool back = particle.sense < 0.0;
-		          for (std::size_t n = 0; n < particle.path.size(); ++n)
-			          put(back ? launch - n : launch + n, particle.path[n], particle.sense);
-		          particle.path = {};
+		          const std::size_t launch = traces.launches[t];
+		          for (Particle& particle : std::span(particles_).subspan(t * ways_, ways_))
+		          {
+			          const bool back = particle.sense < 0.0;
+			          for (std::size_t n = 0; n < particle.path.size(); ++n)
+				          put(back ? launch - n : launch + n, particle.path[n], particle.sense);
+			          particle.path = {};
+		          }
 	          });
 	return traces;
 }
