@@ -81,7 +81,7 @@ std::string stateSchema()
 	ViewSpec any;
 	for (const Section& section : sectionsOf(any))
 	{
-		ordered_json properties;
+		ordered_json properties = ordered_json::object();
 		for (const Setting& setting : section.settings)
 		{
 			ordered_json& property = properties[setting.key];

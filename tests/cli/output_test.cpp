@@ -129,6 +129,16 @@ TEST_F(Output, IsAFolder)
 	EXPECT_EQ(files(), Arguments{"out.vtp"});
 }
 
+// The figures of a sweep's frames wait in the folder for temporary files.
+TEST_F(Output, ASweepNeedsAFolderForItsFigures)
+{
+	const Arguments sweep{"sweep", "demo:shell:6", "--classify", "cpu", "--frames", "2", "--stats", path("s.json")};
+	EXPECT_TRUE(isError(run(sweep, {.environment = {{"TMPDIR", path("none")}}}), 4, {"--stats", "TMPDIR"}));
+	EXPECT_FALSE(std::filesystem::exists(path("s.json")));
+	EXPECT_EQ(run(sweep, {.environment = {{"TMPDIR", path("")}}}).status, 0);
+	EXPECT_EQ(nlohmann::json::parse(contents(path("s.json")))["frames"].size(), 2u);
+}
+
 // All outputs or none: the slice could be written, its stats could not.
 TEST_F(Output, OneOfTwoCannotBeWritten)
 {

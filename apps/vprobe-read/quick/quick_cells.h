@@ -25,7 +25,8 @@ struct Piece
 // Returns the cell lists of the pieces, one after the other. Throws NotQuick. The added tasks write the rest.
 struct Cells
 {
-	nlohmann::json lists;
+	// An object from the first: nlohmann's operator[] makes one of null, and leaves no valid one where memory fails.
+	nlohmann::json lists = nlohmann::json::object();
 	std::size_t flat = 0;
 };
 Cells readCells(const File& file, const std::vector<Piece>& pieces, arrays::Writer& writer, Tasks& tasks);

@@ -114,9 +114,7 @@ private:
 			throw arrays::NotQuick();
 		Cells cells = readCells(file_, pieces_, cells_, tasks_);
 		block_.flat = cells.flat;
-		// One by one: where memory fails within a list in braces, GCC 12 destroys what it has not made.
-		block_.block["kind"] = "unstructured";
-		block_.block["coordinates"] = copyPoints(cells_);
+		block_.block = {{"kind", "unstructured"}, {"coordinates", copyPoints(cells_)}};
 		block_.block["cells"] = std::move(cells.lists);
 	}
 

@@ -137,7 +137,7 @@ nlohmann::json tracesJson(const session::Session& session, const vectors::Traces
 		count(traces.begins);
 	if (session.view().launch->direction != vectors::Direction::backward)
 		count(traces.ends);
-	nlohmann::json ends;
+	nlohmann::json ends = nlohmann::json::object();
 	for (std::size_t i = 0; i < counts.size(); ++i)
 		ends[vectors::kTraceEndWords[i]] = counts[i];
 	return {{"array", session.view().vector_array->name},
