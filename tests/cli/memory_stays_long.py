@@ -15,7 +15,6 @@ import time
 
 FRAMES = 20000
 MORE_MIB = 4.0
-# A folder that no picture stays in: there are too many to keep.
 SWEEPS = {'figures': ['demo:shell:8', '--classify', 'cpu', '--stats', '-'],
           'pictures': ['demo:shell:6', '--size', '64x48', '--samples', '1', '-o', 'frame{frame}.png'],
           'figures by the device': ['demo:blob:6', '--classify', 'gpu', '--probe', 'trihedral', '--stats', '-']}
@@ -38,6 +37,7 @@ def sizes_of(vprobe, options):
         while process.poll() is None:
             if (size := resident_mib(process)) is not None:
                 sizes.append((time.monotonic() - start, size))
+            # There would be too many of them in the end.
             for picture in list(pathlib.Path(folder).glob('frame*.png'))[:-10]:
                 picture.unlink()
             time.sleep(0.05)
