@@ -2,7 +2,7 @@
 """Data sets that are opened, drawn and let go leave nothing behind in Python.
 
 With each of them a device is opened and closed. After a warm-up, 1000 of them may leave 2 MiB in use: what is left by
-lavapipe is some 0.4 KiB a device. It is not the size of the process that tells, since glibc keeps memory that is free:
+lavapipe is some 0.6 KiB a device. It is not the size of the process that tells, since glibc keeps memory that is free:
 with threads that come and go the process grows by some 50 KiB a device for long, and malloc_trim() gives that back.
 """
 import ctypes
