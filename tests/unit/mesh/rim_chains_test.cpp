@@ -4,6 +4,7 @@
 
 #include "measure/components.h"
 #include "measure/stats.h"
+#include "sliced_sheet.h"
 
 #include <gtest/gtest.h>
 
@@ -124,6 +125,27 @@ TEST(RimChains, AHoleStaysAHole)
 	const std::vector<mesh::ClipSide> inside{
 	    {Vec3(1, 0, 0), 1.25}, {Vec3(-1, 0, 0), -1.75}, {Vec3(0, 1, 0), 1.25}, {Vec3(0, -1, 0), -1.75}};
 	EXPECT_EQ(keptWithin(ring(), inside).polygons(), 0u);
+}
+
+// The rim runs along a diagonal of 4 x 4 squares, through corners of theirs: those are no cuts.
+TEST(RimChains, ACornerOnTheRimIsOneCorner)
+{
+	grid::Block block;
+	block.grid = grid::UniformGrid({5, 5, 2}, Vec3(-2.0, -2.0, -0.5), Vec3(1.0));
+	grid::finishBlock(block);
+	const grid::BlockSet blocks = setOf(block);
+	cut::Cutter cutter(blocks);
+	for (const probe::Window& window : {probe::Window{-9.0, 0.0, -9.0, 9.0}, probe::Window{0.0, 9.0, -9.0, 9.0}})
+	{
+		cut::CutRequest request;
+		request.probe.sheets = {probe::makeSheet(Vec3(0.0), {0.0, 0.0, 1.0}, {1.0, 1.0, 0.0})};
+		request.probe.sheets[0].window = window;
+		const cut::Cut slice = std::move(cutter.cut(std::move(request)).value());
+		const mesh::SheetMesh mesh = slice.mesh(blocks, 0);
+		EXPECT_EQ(mesh.positions.size(), 15u);
+		EXPECT_EQ(mesh.polygons(), 6u + 4u);
+		EXPECT_EQ(mesh.polygon_vertices.size(), 6u * 4u + 4u * 3u);
+	}
 }
 
 } // namespace vp::test
