@@ -41,7 +41,8 @@ TEST_F(WindowThatOpensFiles, KeepsItsMemory)
 	}
 	settle();
 	const std::size_t after = program().residentBytes();
-	EXPECT_LT(after, warm + kMaxGrowth) << warm << " bytes after " << kWarm << " opens, " << after << " after " << kOpens;
+	EXPECT_LT(after, warm + kMaxGrowth) << warm << " bytes after " << kWarm << " opens, " << after << " after "
+	                                    << kOpens;
 	close();
 }
 

@@ -135,7 +135,8 @@ TEST(MeshRecords, KnowWhereTheyAre)
 	EXPECT_NEAR(glm::length(bounds.lo - lo), 0.0, 1e-12);
 	EXPECT_NEAR(glm::length(bounds.hi - hi), 0.0, 1e-12);
 
-	// The bounds of a polygon of 8 corners, between (-0.4, -0.4) and (0.4, 0.4); no other one has larger ones, the last one neither.
+	// The bounds of a polygon of 8 corners, between (-0.4, -0.4) and (0.4, 0.4); no other one has larger ones, the last
+	// one neither.
 	const mesh::SheetMesh few = manyPolygons(7);
 	EXPECT_NEAR(mesh::MeshRecords(kSheet, few, std::vector<double>(7)).longest(), 0.8 * std::sqrt(2.0), 1e-12);
 
