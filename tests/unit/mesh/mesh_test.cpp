@@ -1,3 +1,4 @@
+#include "mesh/mesh_seams.h"
 #include "mesh/mesh_values.h"
 #include "sliced_sheet.h"
 #include "test_grids.h"
@@ -7,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <utility>
 
 namespace vp::test
 {
@@ -166,6 +168,74 @@ TEST(Mesh, TwistedCellsAreCountedAndCutWhole)
 		}
 		EXPECT_GT(twisted, 0u);
 		EXPECT_GT(several, 0u);
+	}
+}
+
+// Where blocks know no neighbors, the polygons tell which faces meet: here one of each block.
+TEST(Mesh, SeamsAreFoundFromTheFirstPolygonOn)
+{
+	grid::BlockSet blocks;
+	mesh::SheetMesh mesh;
+	mesh.polygon_starts.push_back(0);
+	for (std::uint32_t b = 0; b < 2; ++b)
+	{
+		grid::Block block;
+		block.grid = grid::UniformGrid({2, 2, 2}, Vec3(b, 0.0, 0.0), Vec3(1.0));
+		grid::finishBlock(block);
+		blocks.blocks.push_back(block);
+		for (const PointId low : {0u, 1u, 3u, 2u})
+		{
+			mesh.polygon_vertices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+			mesh.edges.push_back({b, low, low + 4, 0.5});
+			mesh.positions.push_back(Vec3(b + low % 2, low / 2, 0.5));
+		}
+		mesh.polygon_starts.push_back(static_cast<std::uint32_t>(mesh.polygon_vertices.size()));
+		mesh.polygon_cells.push_back({b, 0});
+	}
+	UnionFind joined(mesh.positions.size());
+	EXPECT_EQ(mesh::seamsOfMesh(blocks, mesh, joined).seam_faces, 2u);
+}
+
+TEST(Mesh, AMeshWithoutABlockKeepsWhatTheOthersHave)
+{
+	mesh::SheetMesh mesh;
+	mesh.polygon_starts = {0};
+	for (std::uint32_t p = 0; p < 3; ++p)
+	{
+		for (std::uint32_t corner = 0; corner < 3; ++corner)
+		{
+			mesh.polygon_vertices.push_back(3 * p + corner);
+			mesh.is_added.push_back(corner == p);
+		}
+		mesh.polygon_starts.push_back(3 * p + 3);
+		mesh.polygon_cells.push_back({p, p});
+	}
+	mesh.boundary_polygons = 1;
+	const mesh::SheetMesh rest = mesh::withoutBlocks(mesh, {false, true, false});
+	ASSERT_EQ(rest.polygons(), 2u);
+	EXPECT_EQ(rest.is_added, (std::vector<std::uint8_t>{1, 0, 0, 0, 0, 1}));
+	EXPECT_EQ(rest.polygon(1)[2], 8u);
+	EXPECT_EQ(rest.boundary_polygons, 1u);
+}
+
+// A mesh is made in parts of some thousand cells, which share vertices all the same.
+TEST(Mesh, ALongMeshHasEachVertexOnce)
+{
+	const grid::Block block = explicitHexahedra(80, [](int i, int j, int k) { return k > 1 || (i + 2 * j) % 9 != 0; });
+	const grid::BlockSet blocks = setOf(block);
+	for (const find::Strategy strategy : {find::Strategy::cells, find::Strategy::scan, find::Strategy::generations})
+	{
+		cut::Cutter cutter(blocks);
+		cut::CutRequest request;
+		request.strategy = strategy;
+		request.probe.sheets = {probe::makeSheet(Vec3(0.5, 0.5, 0.013), Vec3(0.002, 0.005, 1.0))};
+		const cut::Cut slice = std::move(cutter.cut(std::move(request)).value());
+		ASSERT_GT(slice.sheets[0].cuts[0].cutCells(), 2u * 2048u);
+		const mesh::SheetMesh sheet = slice.mesh(blocks, 0);
+		std::set<std::pair<PointId, PointId>> vertices;
+		for (const mesh::EdgePoint& edge : sheet.edges)
+			vertices.emplace(edge.lower, edge.higher);
+		EXPECT_EQ(vertices.size(), sheet.edges.size()) << static_cast<int>(strategy);
 	}
 }
 
