@@ -2,6 +2,8 @@
 #include "desktop.h"
 #include "sample_files.h"
 
+#include <array>
+
 namespace view
 {
 

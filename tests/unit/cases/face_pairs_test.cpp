@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <random>
-#include <tuple>
+#include <utility>
+#include <vector>
 
 namespace vp::cases
 {

@@ -40,7 +40,8 @@ probe::Frame frame()
 
 } // namespace
 
-// Two vertices of a polygon are one place of a seam with one value: a triangle whose side that is has no area.
+// Two vertices of a polygon are one place of a seam with one value: a triangle with a side between
+// them has no area.
 TEST(PlaneTriangles, WithoutAreaAtASeamAreLeftOut)
 {
 	const std::vector<double> values{1.0, 2.0, 3.0, 1.0};
