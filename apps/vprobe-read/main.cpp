@@ -140,7 +140,9 @@ Request parseRequest(int count, char** arguments)
 
 convert::TimesToPack timesToPack(const Request& request, manifest::Writer& manifest)
 {
-	if (!request.packs_all_times || manifest.times().size() < 2)
+	if (manifest.times().size() == 1)
+		return {manifest.times()};
+	if (!request.packs_all_times || manifest.times().empty())
 		return {};
 	if (manifest.displacement().isOn())
 		throw Refusal(fmt::format("has {} times, and its points move with them; choose one time with --time",
@@ -153,6 +155,15 @@ convert::TimesToPack timesToPack(const Request& request, manifest::Writer& manif
 		return manifest.collect([&] { formats::readAnyFormat(at, manifest); });
 	};
 	return {manifest.times(), manifest.times().size() - 1, read};
+}
+
+read::SourceStamp stampOf(const std::string& file)
+{
+	const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+	const read::SourceStamp stamp = read::stampOf(descriptor);
+	if (descriptor >= 0)
+		close(descriptor);
+	return stamp;
 }
 
 // Ends the process if the parent is gone.
@@ -204,17 +215,19 @@ int run(int argc, char** argv)
 		}
 		manifest::Writer manifest(request.refine, wished, !request.convert_to.empty(), PartFilter(request.parts));
 		manifest.setDisplacement({request.displace, request.patches});
-		if (request.convert_to.ends_with(".vtkhdf"))
+		if (request.convert_to.ends_with(".vtkhdf") || request.writesIndex())
 			formats::needHdf5(request);
+		if (request.writesIndex())
+			request.stamp = stampOf(request.file);
 		formats::readAnyFormat(request, manifest);
 		manifest.refuseOtherLevel(request.level);
 		manifest.setSandbox(door::holdText(hold));
 		for (std::string& refused : refusedFiles())
 			manifest.warn(std::move(refused));
-		const std::string text = manifest.finish();
-		if (!request.convert_to.empty())
-			convert::writeConverted(manifest.kept(), timesToPack(request, manifest), request);
-		sendToParent(text);
+		if (!request.convert_to.empty() && !manifest.isEmpty())
+			for (std::string& line : convert::writeConverted(manifest.kept(), timesToPack(request, manifest), request))
+				manifest.warn(std::move(line));
+		sendToParent(manifest.finish());
 	}
 	catch (const Refusal& refusal)
 	{

@@ -75,6 +75,14 @@ const char* numberTypeName(NumberType type)
 	return names[static_cast<int>(type)];
 }
 
+std::optional<NumberType> parseNumberType(std::string_view name)
+{
+	for (int type = 0; type <= static_cast<int>(NumberType::float64); ++type)
+		if (name == numberTypeName(static_cast<NumberType>(type)))
+			return static_cast<NumberType>(type);
+	return std::nullopt;
+}
+
 const char* associationName(Association association)
 {
 	return association == Association::point ? "point" : "cell";

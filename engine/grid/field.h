@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -31,6 +32,7 @@ enum class NumberType : std::uint8_t
 
 std::size_t byteSize(NumberType type);
 const char* numberTypeName(NumberType type); // "float32" …
+std::optional<NumberType> parseNumberType(std::string_view name);
 
 enum class Association : std::uint8_t
 {

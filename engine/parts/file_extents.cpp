@@ -20,9 +20,10 @@ namespace vp::parts
 namespace
 {
 
-// A gap of so many bytes between two parts is asked for as well: one longer read takes less than two.
+// A gap of so many bytes between two extents is asked for as well: one longer read takes less than two.
 constexpr std::uint64_t kGap = 16 << 10;
 constexpr std::size_t kPartsAtOnce = 256; // within IOV_MAX
+constexpr const char* kShorter = "it has become shorter while it was open; open it again";
 
 Unreadable failed(const OpenFile& file, const char* why)
 {
@@ -62,6 +63,34 @@ bool OpenFile::isThereStill() const
 	       static_cast<std::uint64_t>(about.st_size) == size_;
 }
 
+void OpenFile::read(std::uint64_t offset, std::span<std::byte> to) const
+{
+	while (!to.empty())
+	{
+		const ssize_t bytes = pread(descriptor_, to.data(), to.size(), static_cast<off_t>(offset));
+		if (bytes < 0 && errno == EINTR)
+			continue;
+		if (bytes < 0)
+			throw failed(*this, std::strerror(errno));
+		if (bytes == 0)
+			throw failed(*this, kShorter);
+		offset += static_cast<std::uint64_t>(bytes);
+		to = to.subspan(static_cast<std::size_t>(bytes));
+	}
+}
+
+void OpenFile::announce(std::vector<Extent> extents) const
+{
+	std::ranges::sort(extents);
+	for (std::size_t i = 0, next; i < extents.size(); i = next)
+	{
+		auto [begin, end] = extents[i];
+		for (next = i + 1; next < extents.size() && extents[next].first <= end + kGap; ++next)
+			end = std::max(end, extents[next].second);
+		posix_fadvise(descriptor_, static_cast<off_t>(begin), static_cast<off_t>(end - begin), POSIX_FADV_WILLNEED);
+	}
+}
+
 OpenFile::~OpenFile()
 {
 	close(descriptor_);
@@ -99,29 +128,11 @@ std::uint64_t FileExtents::offsetOf(std::uint64_t number) const
 
 void FileExtents::announce(std::span<const std::uint64_t> numbers) const
 {
-	std::uint64_t begin = 0;
-	std::uint64_t end = 0;
-	const auto tell = [&]
-	{
-		if (end > begin)
-			posix_fadvise(file_->descriptor(), static_cast<off_t>(begin), static_cast<off_t>(end - begin),
-			              POSIX_FADV_WILLNEED);
-	};
-	std::vector<std::pair<std::uint64_t, std::uint64_t>> extents;
+	std::vector<OpenFile::Extent> extents;
 	for (const std::uint64_t number : numbers)
 		if (const std::uint64_t offset = offsetOf(number); offset != kMissing)
 			extents.emplace_back(offset, offset + layout_.bytesOf(number));
-	std::ranges::sort(extents);
-	for (const auto& [first, last] : extents)
-	{
-		if (end == 0 || first > end + kGap)
-		{
-			tell();
-			begin = first;
-		}
-		end = std::max(end, last);
-	}
-	tell();
+	file_->announce(std::move(extents));
 }
 
 void FileExtents::readRun(std::span<const Wanted> run) const
@@ -144,7 +155,7 @@ void FileExtents::readRun(std::span<const Wanted> run) const
 		if (count < 0)
 			throw failed(*file_, std::strerror(errno));
 		if (count == 0)
-			throw failed(*file_, "it has become shorter while it was open; open it again");
+			throw failed(*file_, kShorter);
 		offset += count;
 		left -= static_cast<std::size_t>(count);
 		for (; count > 0 && static_cast<std::size_t>(count) >= piece->iov_len; ++piece)

@@ -7,7 +7,9 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vp::parts
@@ -26,6 +28,11 @@ public:
 	const std::string& name() const { return name_; }
 	std::uint64_t size() const { return size_; }
 	int descriptor() const { return descriptor_; }
+	/// Reads so many bytes. Any thread may call it. Throws Unreadable if they are not there.
+	void read(std::uint64_t offset, std::span<std::byte> to) const;
+	/// Asks the system for extents that will be read: bytes from the first on to before the second, in any order.
+	using Extent = std::pair<std::uint64_t, std::uint64_t>;
+	void announce(std::vector<Extent> extents) const;
 	/// Returns true if the name still leads to this file, and nobody has written to it.
 	bool isThereStill() const;
 

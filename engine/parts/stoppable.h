@@ -1,7 +1,9 @@
 #pragma once
 
+#include "base/parallel_for.h"
 #include "parts/source.h"
 
+#include <cstddef>
 #include <stop_token>
 #include <utility>
 
@@ -31,5 +33,19 @@ public:
 private:
 	std::stop_token before_;
 };
+
+/// Calls act(ITEM) for each, on all cores. Throws Stopped soon after a stop request.
+template <class Items, class Act>
+void forEachStoppable(const Items& items, const Act& act)
+{
+	const std::stop_token stop = Stoppable::current();
+	tracedFor(std::size_t(0), items.size(),
+	          [&](std::size_t i)
+	          {
+		          if (stop.stop_requested())
+			          throw Stopped();
+		          act(items[i]);
+	          });
+}
 
 } // namespace vp::parts

@@ -6,6 +6,7 @@
 #include "read/input_limits.h"
 #include "read/manifest.h"
 #include "read/sandbox.h"
+#include "read/source_stamp.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -54,7 +55,10 @@ Status checkWish(const CheckedInput& input, const ArrayWish& wish)
 Status convert(const std::string& input, const ReadOptions& options, const std::string& target,
                const std::string& folder)
 {
-	const Progress progress(fmt::format("{} {}", options.cells_of_part > 0 ? "packing" : "converting", input));
+	const char* work = target.ends_with(kIndexEnding) ? "indexing"
+	                   : options.cells_of_part > 0    ? "packing"
+	                                                  : "converting";
+	const Progress progress(fmt::format("{} {}", work, input));
 	ReadOptions reading = options;
 	reading.convert_to = target;
 	reading.convert_folder = folder;

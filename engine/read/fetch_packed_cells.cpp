@@ -2,7 +2,6 @@
 #include "read/packed_cells.h"
 
 #include "base/bytes_read.h"
-#include "base/parallel_for.h"
 #include "parts/stoppable.h"
 #include "read/cell_types.h"
 #include "read/check_mesh.h"
@@ -12,13 +11,11 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <limits>
 
 #include <fcntl.h>
-#include <unistd.h>
 
 namespace vp::read
 {
@@ -27,9 +24,6 @@ using grid::Association;
 
 namespace
 {
-
-// A gap of so many bytes between two extents is asked for as well: one longer read takes less than two.
-constexpr std::uint64_t kGap = 16 << 10;
 
 parts::Unreadable damaged(const parts::OpenFile& file, const char* reason)
 {
@@ -88,7 +82,7 @@ void PackedCells::fetch(std::span<const std::uint32_t> runs)
 		Extents extents;
 		addCells(cells, extents);
 		addValues(values, contents_.time, extents);
-		announce(std::move(extents));
+		contents_.file->announce(std::move(extents));
 		readCells(cells);
 		readValues(values);
 		read_ += values.runs.size();
@@ -97,28 +91,10 @@ void PackedCells::fetch(std::span<const std::uint32_t> runs)
 	announceNextTime();
 }
 
-namespace
-{
-
-template <class Items, class Act>
-void forEachInParallel(const Items& items, const Act& act)
-{
-	const std::stop_token stop = parts::Stoppable::current();
-	tracedFor(std::size_t(0), items.size(),
-	          [&](std::size_t i)
-	          {
-		          if (stop.stop_requested())
-			          throw parts::Stopped();
-		          act(items[i]);
-	          });
-}
-
-} // namespace
-
 void PackedCells::readCells(const Missing& missing)
 {
-	forEachInParallel(missing.parts, [this](std::uint32_t part) { readPoints(part); });
-	forEachInParallel(missing.pieces, [this](const Piece& piece) { readPiece(piece); });
+	parts::forEachStoppable(missing.parts, [this](std::uint32_t part) { readPoints(part); });
+	parts::forEachStoppable(missing.pieces, [this](const Piece& piece) { readPiece(piece); });
 	for (const std::uint32_t part : missing.parts)
 		notePoints(part, has_point_);
 	note(missing, rows_of_cells_, has_cells_);
@@ -127,9 +103,10 @@ void PackedCells::readCells(const Missing& missing)
 void PackedCells::readValues(const Missing& missing)
 {
 	if (rows_of_values_.point > 0)
-		forEachInParallel(missing.parts, [this](std::uint32_t part) { readPointValues(part); });
+		parts::forEachStoppable(missing.parts, [this](std::uint32_t part) { readPointValues(part); });
 	if (rows_of_values_.cell > 0)
-		forEachInParallel(missing.pieces, [this](const Piece& piece) { readCellValues(piece); });
+		parts::forEachStoppable(missing.pieces, [this](const Piece& piece) { readCellValues(piece); });
+	readInPlace(missing);
 	for (const std::uint32_t part : missing.parts)
 		notePoints(part, has_values_of_);
 	note(missing, rows_of_values_, has_values_);
@@ -190,11 +167,17 @@ void PackedCells::addCells(const Missing& missing, Extents& to) const
 		addRows(contents_.point_numbers, part.first_point, part.points, to);
 	}
 	for (const Piece& piece : missing.pieces)
+	{
 		addRows(contents_.ids, piece.first_id, piece.ids, to);
+		if (isIndex())
+			addRows({contents_.cell_numbers, sizeof(std::uint32_t)}, piece.first_cell, piece.cells, to);
+	}
 }
 
 void PackedCells::addValues(const Missing& missing, std::size_t time, Extents& to) const
 {
+	if (isIndex())
+		return; // pages are known when their rows are
 	for (const ArrayLists& array : contents_.arrays)
 		if (array.field.association == Association::point)
 			for (const std::uint32_t part : missing.parts)
@@ -202,20 +185,6 @@ void PackedCells::addValues(const Missing& missing, std::size_t time, Extents& t
 		else
 			for (const Piece& piece : missing.pieces)
 				addRows(array.at(time), piece.first_cell, piece.cells, to);
-}
-
-// Asks the system for what will be read.
-void PackedCells::announce(Extents extents) const
-{
-	std::ranges::sort(extents);
-	for (std::size_t i = 0, next; i < extents.size(); i = next)
-	{
-		auto [begin, end] = extents[i];
-		for (next = i + 1; next < extents.size() && extents[next].first <= end + kGap; ++next)
-			end = std::max(end, extents[next].second);
-		posix_fadvise(contents_.file->descriptor(), static_cast<off_t>(begin), static_cast<off_t>(end - begin),
-		              POSIX_FADV_WILLNEED);
-	}
 }
 
 // The next time is mostly cut where this one was.
@@ -229,28 +198,16 @@ void PackedCells::announceNextTime()
 			met.push_back(run);
 	Extents extents;
 	addValues(missing(met, nothing()), *next_time_, extents);
-	announce(std::move(extents));
+	contents_.file->announce(std::move(extents));
+	for (std::size_t a = 0; a < paged_.size(); ++a)
+		paged_[a]->announce(paged_[a]->wanted(), contents_.arrays[a].at(*next_time_).offset);
 	next_time_.reset();
 }
 
 void PackedCells::readRows(const List& list, std::uint64_t first, std::uint64_t count, void* to) const
 {
-	auto at = static_cast<off_t>(list.offset + first * list.row_bytes);
-	std::size_t left = count * list.row_bytes;
-	for (auto* next = static_cast<std::byte*>(to); left > 0;)
-	{
-		const ssize_t bytes = pread(contents_.file->descriptor(), next, left, at);
-		if (bytes < 0 && errno == EINTR)
-			continue;
-		if (bytes < 0)
-			throw parts::Unreadable(fmt::format("{}: {}", contents_.file->name(), std::strerror(errno)));
-		if (bytes == 0)
-			throw parts::Unreadable(
-			    fmt::format("{}: it has become shorter while it was open; open it again", contents_.file->name()));
-		next += bytes;
-		at += bytes;
-		left -= static_cast<std::size_t>(bytes);
-	}
+	contents_.file->read(list.offset + first * list.row_bytes,
+	                     {static_cast<std::byte*>(to), static_cast<std::size_t>(count * list.row_bytes)});
 }
 
 void PackedCells::readPoints(std::uint32_t number) const
@@ -301,6 +258,8 @@ void PackedCells::readCellValues(const Piece& piece) const
 void PackedCells::readPiece(const Piece& piece) const
 {
 	readRows(contents_.ids, piece.first_id, piece.ids, id_memory_->as<std::int32_t>() + piece.first_id);
+	if (isIndex())
+		readSourceCells(piece);
 	takeTypes(piece);
 	for (std::uint32_t run = piece.first_run; run < piece.first_run + piece.runs; ++run)
 		takeIds(run);
@@ -389,7 +348,7 @@ void PackedCells::takeIds(std::uint32_t number) const
 		id = static_cast<std::int32_t>(points[static_cast<std::uint32_t>(id) - first]);
 	if (contents_.places.row_bytes == 3 * sizeof(double) ? liesOutside(ids, places_->as<double>(), run.box)
 	                                                     : liesOutside(ids, places_->as<float>(), run.box))
-		throw damaged(*contents_.file, "a point lies outside the box of its cells; pack the file again");
+		throw damaged(*contents_.file, "a point lies outside the box of its cells; pack or index the file again");
 }
 
 } // namespace vp::read

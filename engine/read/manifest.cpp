@@ -357,14 +357,14 @@ Error unusable(const std::string& file, const Error& error)
 }
 
 Result<CheckedInput> checkManifest(std::string_view text, const SharedBytes& arrays, const SharedBytes& cells,
-                                   const std::string& file, const std::string& follow)
+                                   const std::string& file, const std::string& follow, const std::string& indexed)
 {
 	try
 	{
 		const json manifest = parsedManifest(text);
 		if (manifest.at("version") != kProtocolVersion)
 			return Error{ErrorKind::internal, "vprobe-read is of another version; install both together"};
-		return Checker(arrays, cells, {file, follow}).check(manifest);
+		return Checker(arrays, cells, {file, follow, indexed}).check(manifest);
 	}
 	catch (const Unusable& unusable)
 	{

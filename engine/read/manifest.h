@@ -100,8 +100,9 @@ Error unusable(const std::string& file, const Error& error);
 // arrays may lie outside, ids may point anywhere. Cells with coordinates that are no places are left out, with a
 // warning. The message of the error is only the reason.
 // file: that the child read. Arrays may stay in it; without it, none may. follow: other folders with files that it may
-// name, as the child got them.
+// name, as the child got them. indexed: the file whose index `file` must be; empty if it is none.
 Result<CheckedInput> checkManifest(std::string_view text, const SharedBytes& arrays, const SharedBytes& cells,
-                                   const std::string& file = {}, const std::string& follow = {});
+                                   const std::string& file = {}, const std::string& follow = {},
+                                   const std::string& indexed = {});
 
 } // namespace vp::read

@@ -68,9 +68,8 @@ ReadWarning warningOf(const json& value)
 
 NumberType numberTypeOf(const std::string& name)
 {
-	for (int type = 0; type <= static_cast<int>(NumberType::float64); ++type)
-		if (name == grid::numberTypeName(static_cast<NumberType>(type)))
-			return static_cast<NumberType>(type);
+	if (const std::optional<NumberType> type = grid::parseNumberType(name))
+		return *type;
 	throw Unusable("an array has an unknown number type");
 }
 

@@ -3,6 +3,7 @@
 #include "read/check_mesh.h"
 #include "read/manifest_values.h"
 #include "read/packed_cells.h"
+#include "read/source_stamp.h"
 
 #include <nlohmann/json.hpp>
 
@@ -66,6 +67,7 @@ PackedCells::ArrayLists arrayOf(const json& array)
 {
 	grid::Field field;
 	field.name = wordsOf(array.at("name"));
+	field.units = wordsOf(array.value("units", json("")));
 	field.association = associationOf(array.at("association"));
 	field.components = componentsOf(array.at("components"), field.name);
 	field.type = numberTypeOf(array.at("type").get<std::string>());
@@ -78,6 +80,23 @@ PackedCells::ArrayLists arrayOf(const json& array)
 			lists.times.back().ranges = countOf(time.at("ranges"));
 	}
 	return lists;
+}
+
+// Opens the file that an index is of. stamp: what the index knows it by; empty for a pack, which has its own values.
+std::shared_ptr<const parts::OpenFile> openedSource(const json& stamp, const ReadableFiles& files)
+{
+	if (stamp.empty() && files.indexed.empty())
+		return nullptr;
+	if (stamp.empty())
+		throw Unusable("it is no index");
+	if (files.indexed.empty())
+		throw Unusable("the index of another file; open that file");
+	auto source = std::make_shared<const parts::OpenFile>(files.indexed);
+	const SourceStamp known = {countOf(stamp.at(0)), countOf(stamp.at(1)), countOf(stamp.at(2)), countOf(stamp.at(3)),
+	                           countOf(stamp.at(4))};
+	if (!(stampOf(source->descriptor()) == known))
+		throw Unusable("it was made before its file was changed, copied or moved to another disk");
+	return source;
 }
 
 } // namespace
@@ -112,6 +131,7 @@ void takePackedBlock(const json& block, const SharedBytes& arrays, const Readabl
 	const json& runs = block.at("runs");
 	const json& lists = block.at("lists");
 	PackedCells::Contents contents{.file = openedFile(block.at("file").get<std::string>(), files),
+	                               .source = openedSource(block.value("source", json::array()), files),
 	                               .runs = runsOf(arrays, runs),
 	                               .run_ids = countsOf(arrays, runs.at("ids")),
 	                               .all_cells = countsOf(arrays, block.at("part_cells")),

@@ -60,7 +60,7 @@ void PackedCells::check()
 	    contents_.all_points > std::numeric_limits<std::int32_t>::max() || (isAlike() && size == 0))
 		throw Unusable("the lists of its parts do not match");
 	const std::uint64_t points = sumOf(contents_.points, kMaxOfRun);
-	const std::uint64_t rows = sumOf(contents_.all_cells, kMaxRows);
+	const std::uint64_t rows = all_rows_ = sumOf(contents_.all_cells, kMaxRows);
 	ids_ = sumOf(contents_.run_ids, kMaxOfRun);
 	std::uint64_t first_point = 0, first_cell = 0;
 	for (std::size_t p = 0; p < parts; ++p)
@@ -89,11 +89,12 @@ void PackedCells::check()
 	}
 	if (cells_ >= kMaxBlockIds)
 		throw Unusable("a block of so many cells cannot be held");
-	const auto fit = [file_size = contents_.file->size()](const List& list, std::uint64_t count)
+	const auto fitIn = [](const parts::OpenFile& file, const List& list, std::uint64_t count)
 	{
-		if (list.row_bytes == 0 || list.offset > file_size || count > (file_size - list.offset) / list.row_bytes)
+		if (list.row_bytes == 0 || list.offset > file.size() || count > (file.size() - list.offset) / list.row_bytes)
 			throw Unusable("a list of its parts lies outside of the file");
 	};
+	const auto fit = [&](const List& list, std::uint64_t count) { fitIn(*contents_.file, list, count); };
 	fit(contents_.places, points);
 	fit(contents_.point_numbers, points);
 	fit(contents_.ids, ids_);
@@ -105,7 +106,9 @@ void PackedCells::check()
 			fit(contents_.ends, contents_.first_ends[p] + contents_.all_cells[p] + 1);
 	}
 	rows_of_cells_ = {contents_.places.row_bytes + contents_.point_numbers.row_bytes,
-	                  isAlike() ? 0 : contents_.types.row_bytes + contents_.ends.row_bytes, contents_.ids.row_bytes};
+	                  (isAlike() ? 0 : contents_.types.row_bytes + contents_.ends.row_bytes) +
+	                      (isIndex() ? sizeof(std::uint32_t) : 0),
+	                  contents_.ids.row_bytes};
 	for (const ArrayLists& array : contents_.arrays)
 	{
 		if (array.times.size() != times() || contents_.time >= times())
@@ -113,11 +116,15 @@ void PackedCells::check()
 		const bool is_of_points = array.field.association == Association::point;
 		for (std::size_t time = 0; time < times(); ++time)
 		{
-			fit(array.at(time), is_of_points ? points : rows);
+			if (isIndex())
+				fitIn(*contents_.source, array.at(time), is_of_points ? contents_.all_points : rows);
+			else
+				fit(array.at(time), is_of_points ? points : rows);
 			if (const auto ranges = array.times[time].ranges)
 				fit({*ranges, bytesOfRanges(array.field)}, runs().size());
 		}
-		(is_of_points ? rows_of_values_.point : rows_of_values_.cell) += array.row_bytes;
+		RowBytes& bytes = isIndex() ? rows_in_place_ : rows_of_values_;
+		(is_of_points ? bytes.point : bytes.cell) += array.row_bytes;
 	}
 }
 
@@ -130,6 +137,8 @@ void PackedCells::takeMemory()
 	id_memory_ = memoryFor(ids_, sizeof(std::int32_t));
 	types_ = memoryFor(cells_, 1);
 	ends_ = memoryFor(isAlike() ? 0 : cells_ + 1, sizeof(std::int64_t));
+	if (isIndex())
+		source_cells_ = memoryFor(cells_, sizeof(std::uint32_t));
 	types_->data()[0] = std::byte{contents_.type}; // the first tells of all, where they are alike
 }
 
@@ -137,9 +146,20 @@ void PackedCells::takeMemoryOfValues()
 {
 	has_values_of_ = memoryFor(contents_.all_points / 64 + 1, sizeof(std::uint64_t));
 	arrays_.clear();
+	paged_.clear();
 	for (const ArrayLists& array : contents_.arrays)
-		arrays_.push_back(
-		    memoryFor(array.field.association == Association::point ? contents_.all_points : cells_, array.row_bytes));
+	{
+		const bool is_of_points = array.field.association == Association::point;
+		if (isIndex())
+			paged_.push_back(std::make_unique<PagedValues>(
+			    contents_.source,
+			    PagedValues::Place{array.at(contents_.time).offset, is_of_points ? contents_.all_points : all_rows_,
+			                       array.row_bytes}));
+		// Points are numbered as in the file that an index is of, and cells are not.
+		arrays_.push_back(isIndex() && is_of_points
+		                      ? paged_.back()->memory()
+		                      : memoryFor(is_of_points ? contents_.all_points : cells_, array.row_bytes));
+	}
 }
 
 std::size_t PackedCells::times() const
@@ -258,7 +278,7 @@ std::uint64_t PackedCells::bytesAfter(std::span<const std::uint32_t> runs) const
 	std::vector<bool> cells = has_cells_.runs, values = has_values_.runs;
 	for (const std::uint32_t run : runs)
 		cells[run] = values[run] = true;
-	return bytesOf(cells, rows_of_cells_) + bytesOf(values, rows_of_values_);
+	return bytesOf(cells, rows_of_cells_) + bytesOf(values, rows_of_values_) + bytesInPlaceAfter(values);
 }
 
 void PackedCells::renew(grid::Block& block) const
@@ -280,7 +300,7 @@ parts::PartUse PackedCells::use() const
 	        .kept = static_cast<std::uint64_t>(std::ranges::count(has_cells_.runs, true)),
 	        .met = static_cast<std::uint64_t>(std::ranges::count(met_, true)),
 	        .read = read_,
-	        .bytes_met = bytesOf(met_, rows_of_cells_) + bytesOf(met_, rows_of_values_),
+	        .bytes_met = bytesOf(met_, rows_of_cells_) + bytesOf(met_, rows_of_values_) + bytesOf(met_, rows_in_place_),
 	        .bytes_read = bytes_read_};
 }
 

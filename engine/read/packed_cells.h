@@ -7,6 +7,7 @@
 #include "grid/field.h"
 #include "grid/points.h"
 #include "parts/file_extents.h"
+#include "read/paged_values.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +23,8 @@ namespace vp::read
 {
 
 // The cells of a pack (docs/FORMATS.md), whose lists lie in its file as they are. This process reads rows of them:
-// plain numbers, which no library parses, and which are checked before they are used.
+// plain numbers, which no library parses, and which are checked before they are used. If the pack is the index of
+// another file, the values of arrays are read from that one, in pages.
 class PackedCells : public grid::CellRuns
 {
 public:
@@ -42,8 +44,8 @@ public:
 	};
 	struct ArrayLists
 	{
-		grid::Field field; // without bytes and facts
-		std::size_t row_bytes = 0;
+		grid::Field field;         // without bytes and facts
+		std::size_t row_bytes = 0; // where the file is an index, rows are those of `source`, in its order
 		std::vector<ValueList> times{};
 
 		List at(std::size_t time) const { return {times[time].offset, row_bytes}; }
@@ -52,9 +54,10 @@ public:
 	struct Contents
 	{
 		std::shared_ptr<const parts::OpenFile> file{};
-		std::vector<Run> runs{};                // with ascending parts
-		std::vector<std::uint64_t> run_ids{};   // point ids in each run
-		std::vector<std::uint64_t> all_cells{}; // for each part, with those that have no run
+		std::shared_ptr<const parts::OpenFile> source{}; // has the values, if the file is its index; else null
+		std::vector<Run> runs{};                         // with ascending parts
+		std::vector<std::uint64_t> run_ids{};            // point ids in each run
+		std::vector<std::uint64_t> all_cells{};          // for each part, with those that have no run
 		// For each part its points, the id with which they begin, and the row in the list of ends where it begins.
 		std::vector<std::uint64_t> points{}, first_ids{}, first_ends{};
 		std::uint64_t all_points = 0;     // those of several parts count once
@@ -145,6 +148,11 @@ private:
 	void addValues(const Missing& missing, std::size_t time, Extents& to) const;
 	void announce(Extents extents) const;
 	void announceNextTime();
+	bool isIndex() const { return contents_.source != nullptr; }
+	void readInPlace(const Missing& missing);
+	void readSourceCells(const Piece& piece) const;
+	void copyCellValues(const Piece& piece) const;
+	std::uint64_t bytesInPlaceAfter(const std::vector<bool>& values) const;
 	void readRows(const List& list, std::uint64_t first, std::uint64_t count, void* to) const;
 	void readCells(const Missing& missing);
 	void readValues(const Missing& missing);
@@ -170,11 +178,15 @@ private:
 	std::vector<Part> parts_;
 	std::vector<std::uint64_t> first_ids_; // for each run
 	std::uint64_t cells_ = 0, ids_ = 0;    // in all runs
+	std::uint64_t all_rows_ = 0;           // cells, with those that have no run
 	RowBytes rows_of_cells_, rows_of_values_;
+	RowBytes rows_in_place_;               // those of values in the file that an index is of
 	std::optional<std::size_t> next_time_; // that is asked for when the values of this one were read
 
 	Memory places_, point_numbers_, id_memory_, types_, ends_;
 	std::vector<Memory> arrays_;
+	Memory source_cells_;                             // for each cell its number in the file that an index is of
+	std::vector<std::unique_ptr<PagedValues>> paged_; // the values there, for each array
 	Memory has_point_, has_values_of_; // a bit for each point: it was read by an earlier fetch, and so were its values
 	Kept has_cells_, has_values_;      // values of nothing without cells
 	std::vector<bool> met_;

@@ -1,11 +1,15 @@
 #include "read/read_ahead.h"
 
 #include "base/bytes_read.h"
+#include "base/input_files.h"
+#include "base/messages.h"
 #include "base/timeline.h"
+#include "read/file_index.h"
 #include "read/input_limits.h"
 #include "read/ready_reader.h"
 #include "read/sandbox.h"
 #include "read/series.h"
+#include "read/source_stamp.h"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -14,6 +18,19 @@
 
 namespace vp::read
 {
+
+namespace
+{
+
+constexpr const char* kIndexFormat = "vtkhdf"; // an index is a pack
+
+// why: it cannot be used, with its name.
+void tellUnused(const Error& why, const std::string& file)
+{
+	warn("{}; the index is not used: run vprobe index {} again", why.message, file);
+}
+
+} // namespace
 
 // Returns the file of an input that is read at the time of the options; an input that is no series is itself.
 std::string fileOf(const std::string& input, const ReadOptions& options)
@@ -63,7 +80,35 @@ Result<ReadAhead::AtWork> ReadAhead::start(const InputToRead& given)
 	Result<ReaderAtWork> reader = ReaderAtWork::start(file, options, refinedLimits(*limits, options.refine));
 	if (!reader)
 		return reader.error();
-	return AtWork{file, series ? series->times : std::vector<double>(), std::move(*reader)};
+	return AtWork{file, {}, series ? series->times : std::vector<double>(), std::move(*reader)};
+}
+
+Result<ReadAhead::AtWork> ReadAhead::startWithIndex(const InputToRead& given, std::string index)
+{
+	ReadOptions options = given.options;
+	options.format = kIndexFormat;
+	const Result<InputLimits> limits = inputLimits(index, {}, options.format);
+	if (!limits)
+		return limits.error();
+	noteInput(given.input);
+	Result<ReaderAtWork> reader = ReaderAtWork::start(index, options, *limits);
+	if (!reader)
+		return reader.error();
+	return AtWork{given.input, std::move(index), {}, std::move(*reader)};
+}
+
+Result<ReadAhead::AtWork> ReadAhead::startByIndexIfThereIs(const InputToRead& given)
+{
+	if (given.input.ends_with(kIndexEnding))
+		return Error{ErrorKind::input, fmt::format("{}: the index of a file; open that file", given.input)};
+	if (const std::string index = indexOf(given.input, given.options); !index.empty())
+	{
+		Result<AtWork> started = startWithIndex(given, index);
+		if (started)
+			return started;
+		tellUnused(started.error(), given.input);
+	}
+	return start(given);
 }
 
 void ReadAhead::startSome()
@@ -76,7 +121,7 @@ void ReadAhead::startSome()
 		if (input.input.starts_with(kDemoPrefix))
 			started_.emplace_back();
 		else
-			started_.emplace_back(start(input));
+			started_.emplace_back(startByIndexIfThereIs(input));
 	}
 }
 
@@ -87,23 +132,43 @@ void ReadAhead::skip()
 	++next_;
 }
 
+Result<CheckedInput> ReadAhead::finish(AtWork& at_work, const std::string& follow)
+{
+	const Result<HandedOver> handed = at_work.reader.finish();
+	if (!handed)
+		return handed.error();
+	const bool is_index = !at_work.index.empty();
+	const std::string& read = is_index ? at_work.index : at_work.file;
+	Result<CheckedInput> checked = checkManifest(handed->manifest, handed->arrays, handed->cells, read, follow,
+	                                             is_index ? at_work.file : std::string());
+	if (!checked && is_index && checked.error().kind == ErrorKind::input)
+		return Error{ErrorKind::input, fmt::format("{}: {}", read, checked.error().message)};
+	if (!checked)
+		return unusable(read, checked.error());
+	return checked;
+}
+
 Result<CheckedInput> ReadAhead::read(Timeline* timeline)
 {
 	const TimedSection timed(timeline, "read");
 	startSome();
 	const std::string follow = followArgument(next().options.follow);
 	const bool lists = next().options.parts.starts_with('?');
+	const InputToRead given = next();
 	Result<AtWork> started = std::move(*started_.front());
 	skip();
 	if (!started)
 		return started.error();
-	const Result<HandedOver> handed = started->reader.finish();
-	if (!handed)
-		return handed.error();
-	Result<CheckedInput> checked =
-	    checkManifest(handed->manifest, handed->arrays, handed->cells, started->file, follow);
+	Result<CheckedInput> checked = finish(*started, follow);
+	if (!checked && !started->index.empty() && checked.error().kind == ErrorKind::input)
+	{
+		tellUnused(checked.error(), started->file);
+		if (started = start(given); !started)
+			return started.error();
+		checked = finish(*started, follow);
+	}
 	if (!checked)
-		return unusable(started->file, checked.error());
+		return checked.error();
 	const bool is_list = checked->blocks.empty() && !checked->parts.empty();
 	if (is_list && !lists)
 		return unusable(started->file, {ErrorKind::input, "the reader answered another question"});

@@ -52,10 +52,14 @@ private:
 	struct AtWork
 	{
 		std::string file;
+		std::string index;         // is read in place of the file; mostly empty
 		std::vector<double> times; // empty unless it is a series
 		ReaderAtWork reader;
 	};
 	static Result<AtWork> start(const InputToRead& input);
+	static Result<AtWork> startWithIndex(const InputToRead& input, std::string index);
+	static Result<AtWork> startByIndexIfThereIs(const InputToRead& input);
+	static Result<CheckedInput> finish(AtWork& at_work, const std::string& follow);
 	void startSome();
 
 	std::vector<InputToRead> inputs_;

@@ -17,7 +17,8 @@ namespace vp::read
 struct ReadableFiles
 {
 	std::string input;
-	std::string follow; // as followArgument() gives it
+	std::string follow;    // as followArgument() gives it
+	std::string indexed{}; // the file whose index the input is; mostly empty
 };
 
 // Opens a file in which data stay. Throws Unusable if the child could not read it, and parts::Unreadable if it cannot

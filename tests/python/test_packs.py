@@ -62,6 +62,31 @@ def test_a_picture_is_that_of_the_whole(pack):
     assert np.array_equal(*map(np.asarray, pictures))
 
 
+def test_an_indexed_file_is_that_without(program, tmp_path, monkeypatch):
+    vtk = pytest.importorskip('vtk')
+    packed, path = tmp_path / 'packed.vtu', tmp_path / 'plain.vtu'
+    program('convert', WHOLE, '-o', packed)
+    reader = vtk.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(packed))
+    reader.Update()
+    reader.GetOutput().GetPointData().GetArray('s').GetInformation().Set(vtk.vtkDataArray.UNITS_LABEL(), 'Pa')
+    writer = vtk.vtkXMLUnstructuredGridWriter()
+    writer.SetFileName(str(path))
+    writer.SetInputData(reader.GetOutput())
+    writer.SetCompressorTypeToNone()
+    writer.EncodeAppendedDataOff()
+    assert writer.Write()
+    whole = vprobe.open(path)
+    program('index', path, '--part', '256')
+    data = vprobe.open(path)
+    assert data.arrays == whole.arrays and "Pa" in repr(data.arrays), data.arrays
+    for normal in NORMALS:
+        piece, wanted = data.slice(normal=normal), whole.slice(normal=normal)
+        assert figures(piece) == pytest.approx(figures(wanted), rel=1e-12)
+        assert sorted(piece.cells) == sorted(wanted.cells)
+    assert np.array_equal(data['v'], whole['v'])  # all of it, in the order of the file
+
+
 @pytest.fixture(scope='module')
 def series(program, tmp_path_factory):
     """A row of cubes along x, with f = x + 100 t at t = 1, 2, 3; and its pack."""

@@ -5,6 +5,7 @@
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
+#include <vtkInformation.h>
 #include <vtkPointData.h>
 
 #include <fmt/format.h>
@@ -57,6 +58,11 @@ std::uint64_t ValueLayout::valueCount() const
 std::uint64_t ValueLayout::byteCount() const
 {
 	return valueCount() * byteSize(type);
+}
+
+const char* unitsOf(vtkDataArray* array)
+{
+	return array->HasInformation() ? array->GetInformation()->Get(vtkDataArray::UNITS_LABEL()) : nullptr;
 }
 
 vtkSmartPointer<vtkDataArray> emptyArray(const ValueLayout& layout, const std::string& name, Room room)

@@ -33,6 +33,9 @@ struct ValueLayout
 std::optional<grid::NumberType> numberTypeOfVtk(int type);
 int vtkTypeOf(grid::NumberType type);
 
+// Returns the units in the way that VTK's files store them, or null.
+const char* unitsOf(vtkDataArray* array);
+
 // Says whether an array gets room for its values.
 enum class Room
 {

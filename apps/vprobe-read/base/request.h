@@ -1,6 +1,7 @@
 #pragma once
 
 #include "array_wish.h"
+#include "read/source_stamp.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -37,6 +38,7 @@ struct Request
 	std::string convert_to;        // the file that is to be written; mostly empty
 	std::string convert_folder;    // a folder of the parent's, into which it is written
 	std::size_t cells_of_part = 0; // at most, where the file that is written comes in parts; else 0
+	read::SourceStamp stamp{};     // what the file was before it was read, where its index is written
 	ArrayWish arrays;              // those to hand over
 	std::uint64_t stays_above = ~std::uint64_t(0); // arrays of more bytes may stay in the file
 	std::string unpack;                            // how the parts are packed that are to be unpacked; mostly empty
@@ -46,6 +48,8 @@ struct Request
 	bool wants_places = false;                     // the parent reads the cells of a pack by itself
 	char** arguments = nullptr;                    // as the process was started with them
 
+	// Returns true if the index of the file is to be written.
+	bool writesIndex() const { return convert_to.ends_with(read::kIndexEnding); }
 	// Returns true if so many bytes of values may stay in the file.
 	bool leaves(std::uint64_t bytes) const { return bytes > stays_above; }
 };

@@ -125,15 +125,21 @@ void writeBlocks(const std::vector<KeptBlock>& blocks, const Request& request)
 
 } // namespace
 
-void writeConverted(const std::vector<KeptBlock>& blocks, const TimesToPack& times, const Request& request)
+std::vector<std::string> writeConverted(const std::vector<KeptBlock>& blocks, const TimesToPack& times,
+                                        const Request& request)
 {
 	const std::string ending = fs::path(request.convert_to).extension().string();
 	if (ending == ".vtm")
-		return writeBlocks(blocks, request);
+	{
+		writeBlocks(blocks, request);
+		return {};
+	}
 	const std::string file = (fs::path(request.convert_folder) / fs::path(request.convert_to).filename()).string();
 	const auto isUnstructured = [](const KeptBlock& block) { return endingOf(block.data) == ".vtu"; };
 	if (request.cells_of_part > 0 && std::ranges::all_of(blocks, isUnstructured))
-		return writePack(blocks, times, file, request.cells_of_part, request.threads);
+		return writePack(blocks, times, file, request);
+	if (request.writesIndex())
+		throw Refusal("is no unstructured grid, and nothing else needs an index or gets one yet; see docs/LARGE.md");
 	if (blocks.size() != 1 && request.cells_of_part > 0)
 		throw Refusal(fmt::format(
 		    "has {} blocks, and some are not unstructured, which are not packed yet; use it as it is", blocks.size()));
@@ -146,14 +152,14 @@ void writeConverted(const std::vector<KeptBlock>& blocks, const TimesToPack& tim
 	if (times.times.size() > 1)
 		throw Refusal(
 		    fmt::format("has {} times, and an image is packed at one time; choose it with --time", times.times.size()));
-	if (ending == ".vtkhdf")
-		return writeVtkHdf(data, file, request.threads);
-	if (ending == ".vtu" && endingOf(data) != ending)
-		return writeXml(cellsOf(data), file);
-	if (ending != endingOf(data))
+	if (ending != ".vtkhdf" && ending != ".vtu" && ending != endingOf(data))
 		throw Refusal(fmt::format("is written as {}{} or .vtm, not as {}", endingOf(data),
 		                          endingOf(data) == ".vtu" ? "" : ", .vtu", ending));
-	writeXml(data, file);
+	if (ending == ".vtkhdf")
+		writeVtkHdf(data, file, request.threads);
+	else
+		writeXml(ending == endingOf(data) ? data : cellsOf(data).Get(), file);
+	return {};
 }
 
 } // namespace vp::reader::convert

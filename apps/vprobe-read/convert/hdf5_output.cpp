@@ -72,13 +72,13 @@ Handle groupInOrder(hid_t parent, const char* name)
 	return {H5Gcreate2(parent, name, H5P_DEFAULT, properties, H5P_DEFAULT), H5Gclose};
 }
 
-void writeType(hid_t group, const std::string& type)
+void writeText(hid_t group, const char* name, const std::string& text)
 {
-	const Handle text(H5Tcopy(H5T_C_S1), H5Tclose);
-	H5Tset_size(text, type.size());
+	const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+	H5Tset_size(type, text.size());
 	const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-	const Handle attribute(H5Acreate2(group, "Type", text, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-	checked(H5Awrite(attribute, text, type.c_str()));
+	const Handle attribute(H5Acreate2(group, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+	checked(H5Awrite(attribute, type, text.c_str()));
 }
 
 void writeValues(hid_t group, const char* name, hid_t type, const std::vector<hsize_t>& sides, const void* values)

@@ -55,8 +55,8 @@ void writeAttribute(hid_t group, const char* name, hid_t type, const std::array<
 	checked(H5Awrite(attribute, type, numbers.data()));
 }
 
-// Writes the kind of VTK's data set.
-void writeType(hid_t group, const std::string& type);
+// Writes an attribute, whose text is not empty.
+void writeText(hid_t group, const char* name, const std::string& text);
 
 void writeValues(hid_t group, const char* name, hid_t type, const std::vector<hsize_t>& sides, const void* values);
 

@@ -80,6 +80,11 @@ std::size_t PackDivision::allRuns() const
 	return sum;
 }
 
+bool PackDivision::areAlike() const
+{
+	return std::ranges::all_of(types_, [this](std::uint8_t type) { return type == types_[0]; });
+}
+
 void PackDivision::forEach(std::size_t count, const std::function<void(std::size_t)>& work) const
 {
 	quick::Tasks tasks(threads_);
@@ -89,6 +94,9 @@ void PackDivision::forEach(std::size_t count, const std::function<void(std::size
 
 void PackDivision::refuseUnpackable() const
 {
+	constexpr vtkIdType most = 0xFFFFFFFF;
+	if (grid_->GetNumberOfPoints() > most || grid_->GetNumberOfCells() > most)
+		throw Refusal("has more than 4 294 967 295 points or cells; pack it in several files");
 	for (const std::uint8_t type : types_)
 		if (type == read::kPolyhedron || (read::cellDimension(type) == 3 && !read::canBeSliced(type)))
 			throw Refusal(fmt::format("has {}, which are not packed yet; use it as it is",

@@ -66,6 +66,7 @@ public:
 	const LeftOut& leftOut() const { return left_out_; }
 
 	std::span<const std::uint8_t> types() const { return types_; } // VTK's, as the grid numbers its cells
+	bool areAlike() const;                                         // whether all have one type
 	std::array<double, 3> place(std::size_t point) const;
 
 	// Calls use(OFFSETS, IDS) with the lists of the grid as they are kept.

@@ -99,9 +99,8 @@ void writePackHead(vtkUnstructuredGrid* grid, const PackDivision& division, cons
 	writeAttribute(own, "FlatCells", H5T_NATIVE_INT64, count(left_out.flat));
 	writeAttribute(own, "HiddenCells", H5T_NATIVE_INT64, count(left_out.hidden));
 	writeAttribute(own, "CellsWithoutPlace", H5T_NATIVE_INT64, count(left_out.unplaced));
-	const std::span<const std::uint8_t> types = division.types();
-	if (std::ranges::all_of(types, [&](std::uint8_t type) { return type == types[0]; }))
-		writeAttribute(own, "CellType", H5T_NATIVE_INT64, count(types[0]));
+	if (division.areAlike())
+		writeAttribute(own, "CellType", H5T_NATIVE_INT64, count(division.types()[0]));
 	writeCounts(partitions, root);
 	writeParts(division, own);
 	writeRuns(division, own);

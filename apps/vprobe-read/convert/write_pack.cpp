@@ -1,14 +1,19 @@
 // An unstructured grid in parts that lie together in space: VTKHDF 1.0 in partitions, or 2.0 with several times, which
-// VTK reads, and beside it a group `vprobe` that other programs pass over. docs/FORMATS.md describes the group.
+// VTK reads, and beside it a group `vprobe` that other programs pass over. docs/FORMATS.md describes the group. An
+// index is a pack without the values of arrays, which stay in the file that it is of.
 #include "convert.h"
 #include "hdf5_output.h"
+#include "indexed_file.h"
 #include "pack_division.h"
 #include "pack_facts.h"
 #include "pack_head.h"
+#include "pack_order.h"
 #include "pack_ranges.h"
+#include "pack_steps.h"
 #include "pack_times.h"
 #include "vprobe-read/arrays/value_image.h"
 #include "vprobe-read/base/refusal.h"
+#include "vprobe-read/base/request.h"
 
 #include "read/run_ranges.h"
 
@@ -67,11 +72,11 @@ struct Column
 class PackWriter
 {
 public:
-	// root: the group of the data set. own: the one beside it.
+	// root: the group of the data set. own: the one beside it. indexed: the file that keeps the values, or null.
 	PackWriter(vtkUnstructuredGrid* grid, const TimesToPack& times, std::size_t most_cells, int threads, Handle root,
-	           Handle own)
+	           Handle own, const IndexedFile* indexed)
 	    : grid_(grid), places_(grid->GetPoints()->GetData()), root_(std::move(root)), own_(std::move(own)),
-	      times_(grid, times), division_(grid, most_cells, threads), partitions_(division_)
+	      indexed_(indexed), times_(grid, times), division_(grid, most_cells, threads), partitions_(division_)
 	{
 	}
 
@@ -80,11 +85,15 @@ public:
 	{
 		writeAttribute(own_, "Version", H5T_NATIVE_INT64, std::array<std::int64_t, 2>{times_.areSeveral() ? 2 : 1, 0});
 		writePackHead(grid_, division_, partitions_, root_, own_);
+		if (times_.times().size() == 1)
+			writeAttribute(own_, "Time", H5T_NATIVE_DOUBLE, std::array{times_.times()[0]});
 		addCells(root_, own_);
+		if (!indexed_ || !division_.areAlike())
+			addTypes(root_);
 		addArrays("PointData", grid_->GetPointData(), true);
 		addArrays("CellData", grid_->GetCellData(), false);
 		if (times_.areSeveral())
-			writeSteps(root_);
+			writeSteps();
 		writeColumns(columns_);
 	}
 
@@ -104,14 +113,17 @@ public:
 				columns.push_back({&*array.ranges, read::bytesOfRanges(array.field),
 				                   [this, &array](std::size_t part, Bytes& to)
 				                   { gatherRanges(division_, part, array.field, to); }});
-			columns.push_back({&array.rows, bytes,
-			                   [this, from, bytes, on_points = array.on_points](std::size_t part, Bytes& to)
-			                   {
-				                   const std::span<const std::uint32_t> rows =
-				                       on_points ? division_.points(part) : division_.cells(part);
-				                   for (const std::uint32_t row : rows)
-					                   put(from + row * bytes, bytes, to);
-			                   }});
+			if (indexed_)
+				array.places.push_back(indexed_->placeOf(array.on_points, array.values->GetName(), array.field));
+			else
+				columns.push_back({&*array.rows, bytes,
+				                   [this, from, bytes, on_points = array.on_points](std::size_t part, Bytes& to)
+				                   {
+					                   const std::span<const std::uint32_t> rows =
+					                       on_points ? division_.points(part) : division_.cells(part);
+					                   for (const std::uint32_t row : rows)
+						                   put(from + row * bytes, bytes, to);
+				                   }});
 		}
 		writeColumns(columns);
 	}
@@ -120,8 +132,16 @@ public:
 	void writeFacts() const
 	{
 		for (const PackedArray& array : arrays_)
+		{
 			array.facts.write(array.own, times_.areSeveral());
+			if (indexed_)
+				writePlaces(array.own, array.values->GetName(), array.field, array.places);
+		}
+		if (indexed_)
+			indexed_->writeStamp(own_);
 	}
+
+	const PackDivision& division() const { return division_; }
 
 private:
 	void add(hid_t group, const char* name, hid_t type, std::vector<hsize_t> sides,
@@ -142,6 +162,16 @@ private:
 		    [this](std::size_t part, Bytes& to) { gatherPlaces(part, to); });
 		add(root, "Connectivity", H5T_NATIVE_INT32, {ids},
 		    [this](std::size_t part, Bytes& to) { gatherIds(part, to); });
+		add(own, "PointNumbers", H5T_NATIVE_UINT32, {points},
+		    [this](std::size_t part, Bytes& to)
+		    { put(division_.points(part).data(), 4 * division_.points(part).size(), to); });
+		add(own, "CellNumbers", H5T_NATIVE_UINT32, {division_.types().size()},
+		    [this](std::size_t part, Bytes& to)
+		    { put(division_.cells(part).data(), 4 * division_.cells(part).size(), to); });
+	}
+
+	void addTypes(hid_t root)
+	{
 		add(root, "Offsets", H5T_NATIVE_INT32, {division_.types().size() + partitions_.partitions().size()},
 		    [this](std::size_t part, Bytes& to) { gatherOffsets(part, to); });
 		add(root, "Types", H5T_NATIVE_UINT8, {division_.types().size()},
@@ -150,12 +180,6 @@ private:
 			    for (const std::uint32_t cell : division_.cells(part))
 				    to.push_back(static_cast<std::byte>(division_.types()[cell]));
 		    });
-		add(own, "PointNumbers", H5T_NATIVE_UINT32, {points},
-		    [this](std::size_t part, Bytes& to)
-		    { put(division_.points(part).data(), 4 * division_.points(part).size(), to); });
-		add(own, "CellNumbers", H5T_NATIVE_UINT32, {division_.types().size()},
-		    [this](std::size_t part, Bytes& to)
-		    { put(division_.cells(part).data(), 4 * division_.cells(part).size(), to); });
 	}
 
 	void gatherPlaces(std::size_t part, Bytes& to) const
@@ -225,10 +249,13 @@ private:
 			arrays_.push_back({.values = array,
 			                   .on_points = on_points,
 			                   .name = plain,
-			                   .rows = RowWriter(values, plain.c_str(), typeOf(array->GetDataType()), std::move(sides)),
 			                   .rows_of_time = rows,
 			                   .own = groupInOrder(own, plain.c_str())});
 			PackedArray& added = arrays_.back();
+			if (const char* units = arrays::unitsOf(array); units && *units)
+				writeText(added.own, "Units", units);
+			if (!indexed_)
+				added.rows.emplace(values, plain.c_str(), typeOf(array->GetDataType()), std::move(sides));
 			added.field.components = static_cast<int>(components);
 			added.field.type = *type;
 			if (on_points)
@@ -238,27 +265,13 @@ private:
 		}
 	}
 
-	// Says where the values of each time are. All times have the same points and cells.
-	void writeSteps(hid_t root) const
+	void writeSteps() const
 	{
-		const std::size_t count = times_.count();
-		const Handle steps = groupInOrder(root, "Steps");
-		writeAttribute(steps, "NSteps", H5T_NATIVE_INT64, std::array{static_cast<std::int64_t>(count)});
-		writeValues(steps, "Values", H5T_NATIVE_DOUBLE, {count}, times_.times().data());
-		const auto writeList = [count](hid_t group, const char* name, hsize_t first, hsize_t step)
-		{
-			std::vector<std::int64_t> list;
-			for (hsize_t time = 0; time < count; ++time)
-				list.push_back(static_cast<std::int64_t>(first + time * step));
-			writeValues(group, name, H5T_NATIVE_INT64, {count}, list.data());
-		};
-		writeList(steps, "NumberOfParts", partitions_.partitions().size(), 0);
-		for (const char* same : {"PartOffsets", "PointOffsets", "CellOffsets", "ConnectivityIdOffsets"})
-			writeList(steps, same, 0, 0);
-		const Handle of_points = groupInOrder(steps, "PointDataOffsets");
-		const Handle of_cells = groupInOrder(steps, "CellDataOffsets");
+		std::vector<StepsOfArray> steps;
 		for (const PackedArray& array : arrays_)
-			writeList(array.on_points ? of_points : of_cells, array.name.c_str(), 0, array.rows_of_time);
+			if (!indexed_)
+				steps.push_back({array.on_points, array.name, array.rows_of_time});
+		writePackSteps(root_, times_.times(), partitions_.partitions().size(), steps);
 	}
 
 	void writeColumns(const std::deque<Column>& columns)
@@ -288,17 +301,19 @@ private:
 		vtkDataArray* values; // at the time that was kept
 		bool on_points;
 		std::string name; // in the pack
-		RowWriter rows;
 		hsize_t rows_of_time;
 		Handle own;          // the group with what a pack says of it
 		grid::Field field{}; // its values at the time that is written
 		PackFacts facts{};
-		std::optional<RowWriter> ranges{}; // for values of points: between which those of each run lie
+		std::optional<RowWriter> rows{};     // its values in a pack
+		std::vector<std::uint64_t> places{}; // where they begin at each time in the file that an index is of
+		std::optional<RowWriter> ranges{};   // for values of points: between which those of each run lie
 	};
 
 	vtkUnstructuredGrid* grid_;
 	vtkDataArray* places_;
 	Handle root_, own_;
+	const IndexedFile* indexed_;
 	PackTimes times_;
 	PackDivision division_;
 	PackPartitions partitions_;
@@ -307,24 +322,15 @@ private:
 	std::deque<PackedArray> arrays_;
 };
 
-vtkUnstructuredGrid* gridOf(const KeptBlock& block)
-{
-	constexpr vtkIdType most = 0xFFFFFFFF;
-	auto* grid = vtkUnstructuredGrid::SafeDownCast(block.data);
-	if (grid->GetNumberOfPoints() > most || grid->GetNumberOfCells() > most)
-		throw Refusal("has more than 4 294 967 295 points or cells; pack it in several files");
-	return grid;
-}
-
 void writeKind(hid_t group, int major, int minor, const char* type)
 {
 	writeAttribute(group, "Version", H5T_NATIVE_INT64, std::array<std::int64_t, 2>{major, minor});
-	writeType(group, type);
+	writeText(group, "Type", type);
 }
 
 // Several blocks become a collection: a group for each, and a tree of links that names them.
 std::deque<PackWriter> writersOf(const std::vector<KeptBlock>& blocks, const TimesToPack& times, hid_t file,
-                                 std::size_t cells_of_part, int threads)
+                                 const Request& request, const IndexedFile* indexed)
 {
 	Handle root = groupInOrder(file, "VTKHDF");
 	Handle own = groupInOrder(file, "vprobe");
@@ -332,7 +338,8 @@ std::deque<PackWriter> writersOf(const std::vector<KeptBlock>& blocks, const Tim
 	if (blocks.size() == 1)
 	{
 		writeKind(root, times.times.size() > 1 ? 2 : 1, 0, "UnstructuredGrid");
-		writers.emplace_back(gridOf(blocks[0]), times, cells_of_part, threads, std::move(root), std::move(own));
+		writers.emplace_back(vtkUnstructuredGrid::SafeDownCast(blocks[0].data), times, request.cells_of_part,
+		                     request.threads, std::move(root), std::move(own), indexed);
 		return writers;
 	}
 	writeKind(root, 2, 1, "PartitionedDataSetCollection");
@@ -344,21 +351,27 @@ std::deque<PackWriter> writersOf(const std::vector<KeptBlock>& blocks, const Tim
 		writeKind(of_block, 2, 1, "UnstructuredGrid");
 		writeAttribute(of_block, "Index", H5T_NATIVE_INT64, std::array{static_cast<std::int64_t>(writers.size())});
 		checked(H5Lcreate_soft(("/VTKHDF/" + name).c_str(), tree, name.c_str(), H5P_DEFAULT, H5P_DEFAULT));
-		writers.emplace_back(gridOf(block), times, cells_of_part, threads, std::move(of_block),
-		                     groupInOrder(own, name.c_str()));
+		writers.emplace_back(vtkUnstructuredGrid::SafeDownCast(block.data), times, request.cells_of_part,
+		                     request.threads, std::move(of_block), groupInOrder(own, name.c_str()), indexed);
 	}
 	return writers;
 }
 
 } // namespace
 
-void writePack(const std::vector<KeptBlock>& blocks, const TimesToPack& times, const std::string& path,
-               std::size_t cells_of_part, int threads)
+std::vector<std::string> writePack(const std::vector<KeptBlock>& blocks, const TimesToPack& times,
+                                   const std::string& path, const Request& request)
 {
 	H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+	std::optional<IndexedFile> indexed;
+	if (request.writesIndex())
+		indexed.emplace(request.file, request.stamp);
+	if (indexed && blocks.size() != 1)
+		throw Refusal("has several blocks, and indices are made of one alone; use vprobe pack");
+	std::vector<std::string> lines;
 	Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
 	{
-		std::deque<PackWriter> writers = writersOf(blocks, times, file, cells_of_part, threads);
+		std::deque<PackWriter> writers = writersOf(blocks, times, file, request, indexed ? &*indexed : nullptr);
 		for (PackWriter& writer : writers)
 			writer.writeGrid();
 		for (std::size_t time = 0; time < std::max<std::size_t>(times.times.size(), 1); ++time)
@@ -369,10 +382,13 @@ void writePack(const std::vector<KeptBlock>& blocks, const TimesToPack& times, c
 		}
 		for (const PackWriter& writer : writers)
 			writer.writeFacts();
+		if (indexed)
+			lines = linesAboutOrder(writers[0].division());
 	}
 	if (H5Fflush(file, H5F_SCOPE_LOCAL) < 0)
 		throw NoRoom(kNoRoom);
 	file.close();
+	return lines;
 }
 
 } // namespace vp::reader::convert

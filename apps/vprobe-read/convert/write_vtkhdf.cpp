@@ -109,7 +109,7 @@ void writeArrays(hid_t root, const char* name, vtkDataSetAttributes* fields, con
 
 void writeImage(hid_t root, vtkImageData* image, int threads)
 {
-	writeType(root, "ImageData");
+	writeText(root, "Type", "ImageData");
 	std::array<std::int64_t, 6> extent;
 	std::copy_n(image->GetExtent(), 6, extent.begin());
 	writeAttribute(root, "WholeExtent", H5T_NATIVE_INT64, extent);
@@ -137,7 +137,7 @@ void writeGrid(hid_t root, vtkUnstructuredGrid* grid)
 {
 	if (grid->GetFaces())
 		throw Refusal("has polyhedra, for which VTKHDF 1.0 has no place; write a .vtu");
-	writeType(root, "UnstructuredGrid");
+	writeText(root, "Type", "UnstructuredGrid");
 	vtkNew<vtkCellArray> cells;
 	cells->DeepCopy(grid->GetCells());
 	cells->ConvertTo64BitStorage();

@@ -50,7 +50,8 @@ void convert::writeVtkHdf(vtkDataSet*, const std::string&, int)
 	throw Refusal("VTKHDF is written by vprobe-read-more"); // which this process has become by then
 }
 
-void convert::writePack(const std::vector<KeptBlock>&, const TimesToPack&, const std::string&, std::size_t, int)
+std::vector<std::string> convert::writePack(const std::vector<KeptBlock>&, const TimesToPack&, const std::string&,
+                                            const Request&)
 {
 	throw Refusal("packs are written by vprobe-read-more"); // likewise
 }

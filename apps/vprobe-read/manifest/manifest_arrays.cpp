@@ -8,7 +8,6 @@
 
 #include <vtkCellData.h>
 #include <vtkDataSet.h>
-#include <vtkInformation.h>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
 #include <vtkUnsignedCharArray.h>
@@ -36,12 +35,6 @@ vtkSmartPointer<vtkDataArray> withBytesForBits(vtkDataArray* array)
 	auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
 	bytes->DeepCopy(array);
 	return bytes;
-}
-
-// Returns the units in the way that VTK's files store them, or null.
-const char* unitsOf(vtkDataArray* array)
-{
-	return array->HasInformation() ? array->GetInformation()->Get(vtkDataArray::UNITS_LABEL()) : nullptr;
 }
 
 } // namespace
@@ -127,7 +120,7 @@ json Writer::describeArrays(vtkDataSet* points, vtkDataSet* cells)
 			described["name"] = name;
 			described["association"] = association;
 			described["components"] = array->GetNumberOfComponents();
-			if (const char* units = unitsOf(array))
+			if (const char* units = arrays::unitsOf(array))
 				described["units"] = units;
 			arrays.push_back(std::move(described));
 		}

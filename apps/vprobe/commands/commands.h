@@ -27,6 +27,7 @@ using Run = std::function<Result<ExitCode>()>;
 	X("sample", addSample)                                                                                             \
 	X("convert", addConvert)                                                                                           \
 	X("pack", addPack)                                                                                                 \
+	X("index", addIndex)                                                                                               \
 	X("manual", addManual)
 
 #define VP_DECLARE(name, add) void add(CLI::App& program, Run& run);

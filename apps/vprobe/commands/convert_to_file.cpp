@@ -13,6 +13,14 @@ namespace vp::app
 
 namespace fs = std::filesystem;
 
+void addPartSize(CLI::App& command, int& part)
+{
+	command
+	    .add_option("--part", part, fmt::format("Cells of a part of an unstructured grid, at most ({})", kUsualPart))
+	    ->type_name("CELLS")
+	    ->check(CLI::Range(64, 1 << 24));
+}
+
 Status convertToFile(const std::string& input, const read::ReadOptions& reading, const std::string& output)
 {
 	Result<write::AtomicFile> out = write::AtomicFile::create(output);

@@ -248,7 +248,7 @@ void printBlocks(const grid::BlockSet& blocks)
 		if (const std::string lattice = latticeWords(blocks.blocks[0]); !lattice.empty())
 			print("        {}\n", lattice);
 		if (const auto& whole = blocks.blocks[0].whole)
-			print("        packed in {} parts, of which cuts read those that they meet\n", whole->parts.all);
+			print("        in {} parts, of which cuts read those that they meet\n", whole->parts.all);
 		return;
 	}
 	for (std::size_t b = 0; b < std::min(kMaxPrinted, blocks.blocks.size()); ++b)

@@ -14,8 +14,6 @@ namespace vp::app
 namespace
 {
 
-constexpr int kUsualPart = 1024;
-
 struct PackOptions
 {
 	SpecOptions input;
@@ -61,11 +59,7 @@ void addPack(CLI::App& program, Run& run)
 	    ->expected(1)
 	    ->take_all();
 	command->add_option("-o,--output", options->output, "File to write, a .vtkhdf")->type_name("FILE")->required();
-	command
-	    ->add_option("--part", options->part,
-	                 fmt::format("Cells of a part of an unstructured grid, at most ({})", kUsualPart))
-	    ->type_name("CELLS")
-	    ->check(CLI::Range(64, 1 << 24));
+	addPartSize(*command, options->part);
 	command->footer(
 	    "Writes all times of a grid that stands still, or the one that --time chooses. An image gets bricks of "
 	    "some 32 points a side.");

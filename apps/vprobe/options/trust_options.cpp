@@ -1,5 +1,6 @@
 #include "options/spec_options.h"
 
+#include "read/file_index.h"
 #include "read/sandbox.h"
 
 #include <CLI/CLI.hpp>
@@ -35,6 +36,12 @@ void addTrustOptions(CLI::App& command)
 	        "--sandbox", [](const std::string& word) { read::setSandbox(*read::parseSandbox(word)); },
 	        "Read files in a sandbox: auto (what the system has), require or off (default: auto, or VPROBE_SANDBOX)")
 	    ->check(CLI::IsMember({"auto", "require", "off"}))
+	    ->group(group);
+	command
+	    .add_flag_callback(
+	        "--no-index", [] { read::setUsesIndices(false); },
+	        "Read INPUT as a whole, though vprobe index has made an index of it (default: VPROBE_INDEX=off does so, "
+	        "too)")
 	    ->group(group);
 }
 

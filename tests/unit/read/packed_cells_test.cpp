@@ -184,6 +184,52 @@ TEST(PackedCells, AreReadRunByRun)
 	}
 }
 
+// The pack is an index: the values of points and cells lie in another file, in its order.
+TEST(PackedCells, ReadTheValuesOfTheFileThatAnIndexIsOf)
+{
+	TwoParts two;
+	PackedCells::Contents contents = two.contents();
+	contents.cell_numbers = two.list(std::vector<std::uint32_t>{1, 0}, 1).offset;
+	writeContents(two.path, two.bytes);
+	contents.file = std::make_shared<const parts::OpenFile>(two.path);
+	two.bytes.clear();
+	const std::string path = two.folder / "source";
+	contents.arrays[0].times = {{two.list(std::vector<double>{0, 10, 20, 30, 40}, 1).offset},
+	                            {two.list(std::vector<double>{1, 11, 21, 31, 41}, 1).offset}};
+	contents.arrays[1].times = {{two.list(std::vector<std::int16_t>{3, 4, 1, 2}, 2).offset},
+	                            {two.list(std::vector<std::int16_t>{-3, -4, -1, -2}, 2).offset}};
+	writeContents(path, two.bytes);
+	contents.source = std::make_shared<const parts::OpenFile>(path);
+
+	const auto cells = std::make_shared<PackedCells>(contents);
+	fetch(*cells, {1});
+	EXPECT_EQ(cells->fields()[0].value(4, 0), 40.0);
+	EXPECT_EQ(cells->fields()[1].value(1, 0), 3.0);
+	EXPECT_EQ(cells->cellNumbers().value(1, 0), 0.0);
+	const std::uint64_t of_part = 4 * (12 + 4), of_run = 16 + 4 + 4;      // with numbers of cells
+	EXPECT_EQ(cells->use().bytes_read, of_part + of_run + 5 * 8 + 2 * 4); // all values are one page
+	EXPECT_EQ(cells->use().bytes_met, of_part + of_run + 4 * 8 + 4);
+	cells->startCounting();
+	fetch(*cells, {0});
+	EXPECT_EQ(cells->fields()[1].value(0, 1), 2.0);
+	EXPECT_EQ(cells->use().bytes_read, of_part + of_run);
+
+	grid::Block block = blockOf(cells);
+	cells->goTo(1, 0, block);
+	fetch(*cells, {0, 1});
+	EXPECT_EQ(block.fields[0].value(0, 0), 1.0);
+	EXPECT_EQ(block.fields[0].value(4, 0), 41.0);
+	EXPECT_EQ(block.fields[1].value(0, 0), -1.0);
+	EXPECT_EQ(block.fields[1].value(1, 1), -4.0);
+
+	contents.all_cells = {1, 2}; // one that nobody sees: there are no values for it
+	EXPECT_THROW(PackedCells wrong(contents), Unusable);
+	contents.all_cells = {1, 1};
+	contents.cell_numbers = contents.point_numbers.offset + 8; // leads to 2 and 3, which are no cells
+	PackedCells wrong(contents);
+	EXPECT_THROW(fetch(wrong, {0}), parts::Unreadable);
+}
+
 TEST(PackedCells, ReadTheValuesOfAnotherTimeAndNothingElse)
 {
 	TwoParts two;

@@ -2,6 +2,7 @@
 
 #include "read/cell_types.h"
 #include "read/run_ranges.h"
+#include "read/source_stamp.h"
 #include "vprobe-read/base/refusal.h"
 
 #include <fmt/format.h>
@@ -58,6 +59,9 @@ PackIndex::PackIndex(const hdf5::File& file, const VtkHdfPack& pack, const Wants
 	refuseMovingGrid();
 	listRuns();
 	listFarthest();
+	if (file_.isSet(own_ + "/Source"))
+		source_ =
+		    allRows<std::uint64_t>("Source", NumberType::uint64, sizeof(read::SourceStamp) / sizeof(std::uint64_t));
 	for (const char* association : {"Point", "Cell"})
 		listArrays(association, wants);
 }
@@ -104,14 +108,14 @@ void PackIndex::refuseMovingGrid() const
 
 hdf5::Rows PackIndex::rowsOf(const PackedArray& array, std::size_t time) const
 {
-	hdf5::Rows rows(file_, descriptor_, root_ + "/" + array.association + "Data/" + array.name, array.type);
+	hdf5::Rows rows(file_, descriptor_, root_ + "/" + array.association + "Data/" + array.in_file, array.type);
 	rows.narrow(array.first_rows[time], array.association == "Point" ? parts_.all_points : parts_.all_cells);
 	return rows;
 }
 
 std::optional<hdf5::Rows> PackIndex::rangesOf(const PackedArray& array, std::size_t time) const
 {
-	const std::string path = own_ + "/" + array.association + "Data/" + array.name + "/RunRanges";
+	const std::string path = own_ + "/" + array.association + "Data/" + array.in_file + "/RunRanges";
 	if (array.association != "Point" || !file_.has(path))
 		return std::nullopt;
 	hdf5::Rows rows(file_, descriptor_, path, NumberType::float32);
@@ -226,32 +230,65 @@ void PackIndex::listFarthest()
 
 void PackIndex::listArrays(const std::string& association, const WantsVtkHdfArray& wants)
 {
-	const std::string group = root_ + "/" + association + "Data";
-	for (const std::string& name : file_.namesIn(group, hdf5::File::Order::creation))
+	for (const std::string& in_file : namesOfArrays(association))
 	{
-		const auto type = file_.numberType(group + "/" + name);
-		if (!type)
-			throw damaged(fmt::format("the array {} holds no numbers", name));
-		const hdf5::Rows rows(file_, descriptor_, group + "/" + name, *type);
-		const std::uint64_t count = association == "Point" ? parts_.all_points : parts_.all_cells;
-		if (rows.size() != count * times())
-			throw damaged(fmt::format("the array {} has not a value for each {}", name, association));
-		if (!wants(association, name, *type, rows.components()))
-			continue;
-		PackedArray array{association,       name, *type,
-		                  rows.components(), {},   factsOf(association, name, rows.components())};
-		const std::string offsets = root_ + "/Steps/" + association + "DataOffsets/" + name;
-		const std::vector<std::int64_t> first_rows =
-		    file_.isSet(offsets) ? file_.integersFrom(offsets, 0, times()) : std::vector<std::int64_t>(times(), 0);
-		for (const std::size_t step : steps_)
+		PackedArray array = arrayOf(association, in_file);
+		source_.empty() ? takeRows(array) : takePlaces(array);
+		if (wants(association, array.name, array.type, array.components))
 		{
-			const auto first = static_cast<std::uint64_t>(first_rows[step]);
-			if (first > rows.size() - count)
-				throw damaged(fmt::format("{} leads out of its array", offsets));
-			array.first_rows.push_back(first);
+			array.facts = factsOf(association, in_file, array.components);
+			arrays_.push_back(std::move(array));
 		}
-		arrays_.push_back(std::move(array));
 	}
+}
+
+std::vector<std::string> PackIndex::namesOfArrays(const std::string& association) const
+{
+	return file_.namesIn((source_.empty() ? root_ : own_) + "/" + association + "Data", hdf5::File::Order::creation);
+}
+
+PackedArray PackIndex::arrayOf(const std::string& association, const std::string& in_file) const
+{
+	const std::string own = own_ + "/" + association + "Data/" + in_file;
+	return {.association = association, .name = in_file, .in_file = in_file, .units = file_.textOr(own, "Units")};
+}
+
+void PackIndex::takeRows(PackedArray& array) const
+{
+	const std::string path = root_ + "/" + array.association + "Data/" + array.in_file;
+	const auto type = file_.numberType(path);
+	if (!type)
+		throw damaged(fmt::format("the array {} holds no numbers", array.name));
+	const hdf5::Rows rows(file_, descriptor_, path, *type);
+	const std::uint64_t count = array.association == "Point" ? parts_.all_points : parts_.all_cells;
+	if (rows.size() != count * times())
+		throw damaged(fmt::format("the array {} has not a value for each {}", array.name, array.association));
+	array.type = *type;
+	array.components = rows.components();
+	const std::string offsets = root_ + "/Steps/" + array.association + "DataOffsets/" + array.in_file;
+	const std::vector<std::int64_t> first_rows =
+	    file_.isSet(offsets) ? file_.integersFrom(offsets, 0, times()) : std::vector<std::int64_t>(times(), 0);
+	for (const std::size_t step : steps_)
+	{
+		const auto first = static_cast<std::uint64_t>(first_rows[step]);
+		if (first > rows.size() - count)
+			throw damaged(fmt::format("{} leads out of its array", offsets));
+		array.first_rows.push_back(first);
+	}
+}
+
+void PackIndex::takePlaces(PackedArray& array) const
+{
+	const std::string group = array.association + "Data/" + array.in_file, own = own_ + "/" + group;
+	array.name = file_.textOr(own, "Name");
+	array.components = checkedCount(file_.realOr(own, "NumberOfComponents", 0.0), "NumberOfComponents");
+	const std::optional<NumberType> type = grid::parseNumberType(file_.textOr(own, "Type"));
+	if (!type || array.name.empty() || array.components == 0)
+		throw damaged(fmt::format("{} does not say what its values are", own));
+	array.type = *type;
+	const auto places = allRows<std::uint64_t>(group + "/Places", NumberType::uint64, times());
+	for (const std::size_t step : steps_)
+		array.places.push_back(places[step]);
 }
 
 // Returns the different values of an array of integers, for each step of the file. Empty if the file does not say them.

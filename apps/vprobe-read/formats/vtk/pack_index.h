@@ -50,11 +50,14 @@ struct PackedArray
 {
 	std::string association; // "Point" or "Cell"
 	std::string name;
-	grid::NumberType type;
-	std::uint64_t components;
+	std::string in_file; // its name there
+	std::string units;
+	grid::NumberType type = grid::NumberType::float32;
+	std::uint64_t components = 1;
 	// For each time of the pack:
-	std::vector<std::uint64_t> first_rows;
-	std::vector<nlohmann::json> facts; // as of protocol.h
+	std::vector<std::uint64_t> first_rows{};
+	std::vector<std::uint64_t> places{}; // where its values begin in the file that an index is of, in place of rows
+	std::vector<nlohmann::json> facts{}; // as of protocol.h
 };
 
 // Holds what a pack tells of its parts, at all times. Throws a Refusal where it contradicts itself.
@@ -79,7 +82,9 @@ public:
 	// Returns a list of VTKHDF ("Points"), or one of ours ("own/PointNumbers"), that has so many rows.
 	hdf5::Rows rowsOf(const std::string& list, grid::NumberType type, std::uint64_t rows,
 	                  std::uint64_t components = 1) const;
-	// Returns the values of an array at a time, which has a number from 0.
+	// Returns what an index knows its file by (read::SourceStamp), nothing if this is a pack.
+	const std::vector<std::uint64_t>& source() const { return source_; }
+	// Returns the values of an array of a pack at a time, which has a number from 0.
 	hdf5::Rows rowsOf(const PackedArray& array, std::size_t time) const;
 	// Returns the ranges of these values in each run (read::bytesOfRanges()); nothing if the pack has none.
 	std::optional<hdf5::Rows> rangesOf(const PackedArray& array, std::size_t time) const;
@@ -98,6 +103,10 @@ private:
 	void listFarthest();
 	void refuseMovingGrid() const;
 	void listArrays(const std::string& association, const WantsVtkHdfArray& wants);
+	std::vector<std::string> namesOfArrays(const std::string& association) const;
+	PackedArray arrayOf(const std::string& association, const std::string& in_file) const;
+	void takeRows(PackedArray& array) const;
+	void takePlaces(PackedArray& array) const;
 	std::vector<nlohmann::json> factsOf(const std::string& association, const std::string& name,
 	                                    std::uint64_t components) const;
 	std::vector<PackedValues> valuesOf(const std::string& path) const;
@@ -115,6 +124,7 @@ private:
 	std::vector<PackRun> runs_;
 	std::vector<std::array<double, 6>> boxes_;
 	std::vector<std::array<double, 3>> farthest_;
+	std::vector<std::uint64_t> source_;
 	std::vector<PackedArray> arrays_;
 };
 

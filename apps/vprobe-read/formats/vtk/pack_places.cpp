@@ -79,13 +79,16 @@ std::optional<json> describePlaces(const PackIndex& index, const std::string& fi
 		json times = json::array();
 		for (std::size_t time = 0; time < index.times(); ++time)
 		{
-			times.push_back({{"offset", offsetOf(index.rowsOf(array, time))}, {"facts", array.facts[time]}});
+			const std::uint64_t offset =
+			    array.places.empty() ? offsetOf(index.rowsOf(array, time)) : array.places[time];
+			times.push_back({{"offset", offset}, {"facts", array.facts[time]}});
 			if (const std::optional<hdf5::Rows> ranges = index.rangesOf(array, time); ranges && ranges->plainOffset())
 				times.back()["ranges"] = *ranges->plainOffset();
 		}
 		arrays.push_back({{"name", array.name},
 		                  {"association", array.association == "Point" ? "point" : "cell"},
 		                  {"components", array.components},
+		                  {"units", array.units},
 		                  {"type", grid::numberTypeName(array.type)},
 		                  {"times", std::move(times)}});
 	}
@@ -93,6 +96,7 @@ std::optional<json> describePlaces(const PackIndex& index, const std::string& fi
 		return std::nullopt;
 	return json{{"kind", "packed"},
 	            {"file", file},
+	            {"source", index.source()},
 	            {"runs", describeRuns(index, *runs, writer)},
 	            {"part_cells", written(writer, parts.cells)},
 	            {"part_points", written(writer, parts.points)},

@@ -14,6 +14,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkInformation.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -256,6 +257,8 @@ private:
 				runTasks();
 			}
 			array->SetName(wanted.name.c_str());
+			if (!wanted.units.empty())
+				array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), wanted.units.c_str());
 			if (wanted.association == "Point")
 				grid->GetPointData()->AddArray(array);
 			else
@@ -280,6 +283,8 @@ void readVtkHdfPack(const hdf5::File& file, const VtkHdfPack& pack, const Reques
 	const auto describe = [&](arrays::Writer& writer) { return describePlaces(index, file.name(), writer); };
 	if (request.wants_places && manifest.addPackInPlace(describe, index.facts(0, 0), index.farthest()))
 		return;
+	if (!index.source().empty())
+		throw Refusal("the index of another file; open that file");
 	PackReader(index, request, manifest).read();
 }
 

@@ -62,7 +62,12 @@ public:
 		if (type_ == "ImageData")
 			readImage();
 		else if (isVtkHdfPack(file_, pack))
+		{
+			// The time of a pack that has only one.
+			if (const std::vector<double> time = file_.realsOr(own_, "Time"); times.empty() && !time.empty())
+				manifest_.offerTimes({time[0]});
 			readVtkHdfPack(file_, pack, request_, wants, manifest_);
+		}
 		else
 			readGrid();
 	}

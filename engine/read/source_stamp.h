@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace vp::read
+{
+
+// The index of FILE is FILE.vpx (docs/LARGE.md).
+constexpr std::string_view kIndexEnding = ".vpx";
+
+// What the index of a file knows that file by. All five change where its bytes do, as far as a system can tell.
+struct SourceStamp
+{
+	std::uint64_t device = 0;
+	std::uint64_t number = 0; // on the device (inode)
+	std::uint64_t bytes = 0;
+	std::uint64_t changed = 0; // nanoseconds since 1970
+	std::uint64_t head = 0;    // a hash of the first 64 KiB: FNV-1a of 64 bits
+
+	bool operator==(const SourceStamp&) const = default;
+};
+
+// Returns the stamp of an open file. One that cannot be read has the stamp of no file.
+SourceStamp stampOf(int descriptor);
+
+} // namespace vp::read
