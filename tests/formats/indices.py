@@ -95,9 +95,8 @@ def indexed_files_are_whole_where_that_is_asked(folder):
     for key in ('bounds', 'times', 'points', 'cells'):
         assert about[0].get(key) == about[1].get(key), (key, about)
     assert about[0]['times'] == [2.5], about[0]
-    places = ['--at', '1', '0.5', '4'], ['--at', '0.2', '0.3', '1']
-    for place in places:
-        assert vprobe('sample', path, *place) == vprobe('sample', path, *place, '--no-index')
+    line = ['--line', '0', '0', '0', '2.5', '0.7', '8', '20']
+    assert vprobe('sample', path, *line) == vprobe('sample', path, *line, '--no-index') != ''
 
 
 def pages_are_read(folder):

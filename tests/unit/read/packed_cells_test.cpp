@@ -206,7 +206,7 @@ TEST(PackedCells, ReadTheValuesOfTheFileThatAnIndexIsOf)
 	EXPECT_EQ(cells->fields()[0].value(4, 0), 40.0);
 	EXPECT_EQ(cells->fields()[1].value(1, 0), 3.0);
 	EXPECT_EQ(cells->cellNumbers().value(1, 0), 0.0);
-	const std::uint64_t of_part = 4 * (12 + 4), of_run = 16 + 4 + 4;      // with numbers of cells
+	const std::uint64_t of_part = 4 * (12 + 4), of_run = 16 + 4;          // ids, and the number of the cell
 	EXPECT_EQ(cells->use().bytes_read, of_part + of_run + 5 * 8 + 2 * 4); // all values are one page
 	EXPECT_EQ(cells->use().bytes_met, of_part + of_run + 4 * 8 + 4);
 	cells->startCounting();
