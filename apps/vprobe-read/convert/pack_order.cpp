@@ -13,6 +13,7 @@ namespace
 
 constexpr std::uint32_t kValuesOfPage = 1024; // each has four bytes
 constexpr double kMuch = 0.5;
+constexpr std::size_t kFewCells = 1 << 18; // their values are read in no time, in whatever order
 
 using Vector = std::array<double, 3>;
 
@@ -90,7 +91,7 @@ double shareOfPages(const PackDivision& division)
 
 std::vector<std::string> linesAboutOrder(const PackDivision& division)
 {
-	const double share = shareOfPages(division);
+	const double share = division.types().size() < kFewCells ? 0.0 : shareOfPages(division);
 	if (share <= kMuch)
 		return {};
 	return {

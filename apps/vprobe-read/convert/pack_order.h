@@ -9,7 +9,8 @@ namespace vp::reader::convert
 {
 
 // Tells the user if cuts through a file whose values lie in the order of the grid's points and cells read much of them:
-// an oblique plane through the middle needs more than half of their pages, in the mean of three planes.
+// an oblique plane through the middle needs more than half of their pages, in the mean of three planes. Not for small
+// files.
 std::vector<std::string> linesAboutOrder(const PackDivision& division);
 
 } // namespace vp::reader::convert

@@ -1,6 +1,8 @@
 #include "grid/array_facts.h"
+#include "parts/file_extents.h"
 #include "read/manifest.h"
 #include "read/protocol.h"
+#include "read/source_stamp.h"
 #include "sample_files.h"
 #include "tries.h"
 
@@ -63,12 +65,13 @@ public:
 	}
 
 	Result<CheckedInput> check() const { return check(text()); }
-	Result<CheckedInput> check(const std::string& text, const std::string& file = {}) const
+	Result<CheckedInput> check(const std::string& text, const std::string& file = {},
+	                           const std::string& indexed = {}) const
 	{
 		// Copied, so that reading past the end shows under a sanitizer.
 		const auto copy = std::make_shared<std::vector<std::byte>>(bytes_);
 		const SharedBytes shared = {copy, {copy->data(), copy->size()}};
-		return checkManifest(text, shared, shared, file);
+		return checkManifest(text, shared, shared, file, {}, indexed);
 	}
 
 private:
@@ -267,6 +270,43 @@ TEST(Manifest, ChecksThePlacesOfAPack)
 			}
 	writeContents(file, std::string(95, '\0')); // shorter than the places of its points
 	EXPECT_FALSE(made.check(made.text(), file));
+}
+
+TEST(Manifest, ChecksTheFileThatAnIndexIsOf)
+{
+	const TemporaryFolder folder;
+	const std::string index = folder / "a.vtu.vpx", file = folder / "a.vtu";
+	writeContents(index, std::string(96, '\0'));
+	const auto stamped = [&](std::size_t bytes)
+	{
+		writeContents(file, std::string(bytes, '\0'));
+		const SourceStamp stamp = stampOf(parts::OpenFile(file).descriptor());
+		return json{stamp.device, stamp.number, stamp.bytes, stamp.changed, stamp.head};
+	};
+	Made made = makePlacedPack(index);
+	const auto why = [&](const std::string& indexed)
+	{
+		const Result<CheckedInput> checked = made.check(made.text(), index, indexed);
+		return checked ? std::string() : checked.error().message;
+	};
+	EXPECT_EQ(why(file), "it is no index");
+	const json stamp = stamped(32); // four floats at 16, of the later time
+	made.block(0)["source"] = stamp;
+	EXPECT_EQ(why(file), "");
+	EXPECT_EQ(why(""), "the index of another file; open that file");
+	for (std::size_t i = 0; i < stamp.size(); ++i)
+	{
+		made.block(0)["source"][i] = stamp[i].get<std::uint64_t>() + 1;
+		EXPECT_NE(why(file).find("before its file was changed"), std::string::npos) << i;
+		made.block(0)["source"] = stamp;
+	}
+	for (const json& other : {json{1, 2}, json("x"), json(7), json{{"a", 1}}, json{-1, 2, 3, 4, 5}})
+	{
+		made.block(0)["source"] = other;
+		EXPECT_NE(why(file), "") << other;
+	}
+	made.block(0)["source"] = stamped(31);
+	EXPECT_EQ(why(file), "a list of its parts lies outside of the file");
 }
 
 } // namespace
