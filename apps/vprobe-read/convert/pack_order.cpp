@@ -12,7 +12,7 @@ namespace
 {
 
 constexpr std::uint32_t kValuesOfPage = 1024; // each has four bytes
-constexpr double kMuch = 0.5;
+constexpr double kMuch = 0.8;
 constexpr std::size_t kFewCells = 1 << 18; // their values are read in no time, in whatever order
 
 using Vector = std::array<double, 3>;
