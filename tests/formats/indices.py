@@ -233,6 +233,8 @@ def indexing_refuses(folder):
                              ([folder / 'image.vti'], 'is no unstructured grid'),
                              (['demo:tets'], 'a built-in data set has no file to index'),
                              ([folder / 'plain.vtu', path], 'an index is of one file'),
+                             ([folder / 'plain.vtu', '--displace', '2'], 'an index is of the file as it is'),
+                             ([folder / 'plain.vtu', '--time', 'first'], 'an index is of the file as it is'),
                              ([folder / 'plain.vtu', '--part', '3'], '--part'), ([folder / 'none.vtu'], 'no such file')):
         code, lines = said(['index', *arguments])
         assert code in (1, 2) and words in lines and lines.count('\n') == 1, (arguments, code, lines)

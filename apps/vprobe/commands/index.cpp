@@ -31,6 +31,10 @@ Result<ExitCode> runIndex(IndexOptions& options)
 	if (input.files[0].starts_with(read::kDemoPrefix))
 		return Error{ErrorKind::usage,
 		             fmt::format("{}: a built-in data set has no file to index; name a file", input.files[0])};
+	const view::InputSpec as_it_is{.files = input.files, .inputs_as = input.inputs_as};
+	if (!(input == as_it_is))
+		return Error{ErrorKind::usage,
+		             "an index is of the file as it is; leave out what changes how INPUT is read, such as --displace"};
 	read::ReadOptions reading = session::readOptions(options.input.spec, input.time);
 	reading.cells_of_part = static_cast<std::size_t>(options.part);
 	reading.all_times = true;
