@@ -9,7 +9,8 @@ namespace vp::read
 // The index of FILE is FILE.vpx (docs/LARGE.md).
 constexpr std::string_view kIndexEnding = ".vpx";
 
-// The marks by which an index knows its file. All five change where its bytes do, as far as a system can tell.
+// The marks by which an index knows its file. If the bytes of the file change, one of them does, as far as the system
+// can tell.
 struct SourceStamp
 {
 	std::uint64_t device = 0;
