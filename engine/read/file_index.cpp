@@ -21,7 +21,10 @@ std::atomic<bool>& indicesAreUsed()
 	static std::atomic<bool> used = []
 	{
 		const char* set = std::getenv("VPROBE_INDEX");
-		return !set || set != std::string_view("off");
+		const std::string_view word = set ? set : "on";
+		if (word != "on" && word != "off" && !word.empty())
+			warn("VPROBE_INDEX must be on or off, not {}; indices are used", word);
+		return word != "off";
 	}();
 	return used;
 }

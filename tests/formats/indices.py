@@ -136,8 +136,9 @@ def pages_are_read(folder):
     assert same(frames[0], frames[1]) and same(frames[2], frames[1])
 
 
-def said(arguments):
-    done = subprocess.run([VPROBE, *map(str, arguments)], capture_output=True, encoding='utf-8')
+def said(arguments, **environment):
+    done = subprocess.run([VPROBE, *map(str, arguments)], capture_output=True, encoding='utf-8',
+                          env={**os.environ, **environment})
     return done.returncode, done.stderr
 
 
@@ -184,6 +185,11 @@ def an_index_that_does_not_fit_is_told(folder):
         vprobe('index', path, '--part', '64')  # of the file as it is now
         shutil.copy2(index, kept)
         assert said(cut) == (0, '') and json.loads((folder / 'stats.json').read_text())['parts'], damage
+    warning = 'VPROBE_INDEX must be on or off, not no; indices are used'
+    for word, warned, has_parts in (('on', '', True), ('off', '', False), ('no', warning, True)):
+        code, lines = said(cut, VPROBE_INDEX=word)
+        assert code == 0 and warned in lines and lines.count('\n') == bool(warned), (word, lines)
+        assert bool(json.loads((folder / 'stats.json').read_text())['parts']) == has_parts, word
     code, lines = said(['slice', index, *CUTS[0], '--stats', '-'])
     assert code == 2 and 'the index of a file; open that file' in lines and lines.count('\n') == 1, lines
 

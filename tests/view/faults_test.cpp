@@ -63,11 +63,13 @@ INSTANTIATE_TEST_SUITE_P(, WindowOnAFaultyDevice,
 	                             for (int n = 2; n < 80; n += 3)
 		                             for (const char* kind : {"surface:", "date:"})
 			                             faults.push_back(kind + std::to_string(n));
+	                             for (int n = 2; n < 40; n += 3) // presenting is never late
+		                             faults.push_back("late:" + std::to_string(n));
 	                             return faults;
                              }()),
 #else
                          testing::Values("lost:60", "lost:400", "host:170", "device:270", "device:600", "surface:7", "surface:20",
-                                         "date:6", "date:21"),
+                                         "date:6", "date:21", "late:6"),
 #endif
                          [](const auto& info)
                          {

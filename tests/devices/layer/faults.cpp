@@ -22,7 +22,8 @@ constexpr FaultKind kFaultKinds[] = {{"host", kHostMemory, VK_ERROR_OUT_OF_HOST_
                                      {"device", kDeviceMemory, VK_ERROR_OUT_OF_DEVICE_MEMORY},
                                      {"lost", kLost, VK_ERROR_DEVICE_LOST},
                                      {"surface", kSurface, VK_ERROR_SURFACE_LOST_KHR},
-                                     {"date", kOutOfDate, VK_ERROR_OUT_OF_DATE_KHR}};
+                                     {"date", kOutOfDate, VK_ERROR_OUT_OF_DATE_KHR},
+                                     {"late", kLate, VK_TIMEOUT}};
 
 } // namespace
 
@@ -41,7 +42,8 @@ Faults::Faults()
 		}
 	if (kind_ == 0 || colon == std::string::npos)
 	{
-		std::fprintf(stderr, "VPROBE_LAYER_FAULT: host:N, device:N, lost:N, surface:N or date:N, not %s\n", set);
+		std::fprintf(stderr, "VPROBE_LAYER_FAULT: host:N, device:N, lost:N, surface:N, date:N or late:N, not %s\n",
+		             set);
 		std::_Exit(99);
 	}
 	at_ = std::strtoull(&text[colon + 1], nullptr, 10);

@@ -17,15 +17,17 @@ enum FaultBits : unsigned
 	kLost = 4,
 	kSurface = 8,
 	kOutOfDate = 16,
+	kLate = 32,
 	kMemory = kHostMemory | kDeviceMemory,
 	kAll = kMemory | kLost,
-	kShowing = kAll | kSurface | kOutOfDate
+	kShowing = kAll | kSurface | kOutOfDate,
+	kAcquiring = kShowing | kLate
 };
 
 /// The fault that VPROBE_LAYER_FAULT asks for, as "lost:17": the 17th call that may return it does. Kinds: host, device
-/// (memory), lost, surface (a lost one), date (a swapchain that is out of date). Once lost, a device or a surface stays
-/// so, until another device is made. How many such calls there were is written to the file that VPROBE_LAYER_COUNT
-/// names, when the program ends. Thread safe.
+/// (memory), lost, surface (a lost one), date (a swapchain that is out of date), late (no image to draw to in time).
+/// Once lost, a device or a surface stays so, until another device is made. How many such calls there were is written
+/// to the file that VPROBE_LAYER_COUNT names, when the program ends. Thread safe.
 class Faults
 {
 public:

@@ -51,7 +51,7 @@ namespace vp::layer
 	X(vkGetQueryPoolResults, kAll)                                                                                     \
 	X(vkGetCalibratedTimestampsEXT, kMemory)                                                                           \
 	X(vkCreateSwapchainKHR, kAll | kSurface)                                                                           \
-	X(vkAcquireNextImageKHR, kShowing)                                                                                 \
+	X(vkAcquireNextImageKHR, kAcquiring)                                                                               \
 	X(vkQueuePresentKHR, kShowing)
 
 enum Slot : std::size_t

@@ -16,6 +16,10 @@ namespace vp::app
 namespace
 {
 
+// Some window systems give no image while a window is hidden, or late when the machine is busy. The window goes on
+// hearing its user meanwhile.
+constexpr std::uint64_t kWaitsForImage = 100'000'000; // nanoseconds
+
 VkOffset3D corner(const glm::ivec2& at, int depth)
 {
 	return {at.x, at.y, depth};
@@ -174,7 +178,9 @@ Result<std::optional<std::uint32_t>> Screen::acquire(const Frame& frame)
 	if (rows_)
 		return std::optional(index);
 	const VkResult acquired =
-	    vkAcquireNextImageKHR(device_.handle(), swapchain_, ~std::uint64_t(0), frame.acquired, VK_NULL_HANDLE, &index);
+	    vkAcquireNextImageKHR(device_.handle(), swapchain_, kWaitsForImage, frame.acquired, VK_NULL_HANDLE, &index);
+	if (acquired == VK_TIMEOUT)
+		return std::optional<std::uint32_t>();
 	if (acquired == VK_ERROR_OUT_OF_DATE_KHR)
 	{
 		fits_ = false;

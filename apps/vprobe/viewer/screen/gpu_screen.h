@@ -42,8 +42,8 @@ public:
 	Screen(const Screen&) = delete;
 	Screen& operator=(const Screen&) = delete;
 
-	// Presents a frame. Returns false if the window has another size now: nothing was shown, and the next frame gets
-	// that size. pictures: they are held until the device is done with them.
+	// Presents a frame. Returns false if nothing was shown: the window has another size now, which the next frame gets,
+	// or the window system gave no image in time. pictures: they are held until the device is done with them.
 	Result<bool> show(std::span<const Placement> pictures, ImDrawData& interface, VkExtent2D extent);
 	// Passes the next frame to `take` as well.
 	void capture(std::function<void(render::Picture)> take) { capture_ = std::move(take); }
