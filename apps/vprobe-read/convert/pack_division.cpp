@@ -33,6 +33,10 @@ PackDivision::PackDivision(vtkUnstructuredGrid* grid, std::size_t most_cells, in
                           static_cast<std::size_t>(grid->GetCellTypesArray()->GetNumberOfValues())),
       places_(grid->GetPoints()->GetData()), threads_(threads)
 {
+	if (places_->GetDataType() == VTK_FLOAT)
+		singles_ = static_cast<const float*>(places_->GetVoidPointer(0));
+	else if (places_->GetDataType() == VTK_DOUBLE)
+		doubles_ = static_cast<const double*>(places_->GetVoidPointer(0));
 	// Whoever cuts the file gets a box for each run, and takes a million of them.
 	constexpr std::size_t most_runs = 1 << 19;
 	while (types_.size() / cells_of_run_ > most_runs)
@@ -105,27 +109,21 @@ void PackDivision::refuseUnpackable() const
 	withLists(
 	    [&](const auto* offsets, const auto* ids)
 	    {
+		    constexpr std::size_t at_once = 1 << 18;
 		    const auto all = static_cast<std::size_t>(offsets[types_.size()]);
-		    if (std::any_of(ids, ids + all, [&](auto id) { return id < 0 || id >= points; }))
-			    throw damaged("a cell has a point that is not there");
+		    forEach((all + at_once - 1) / at_once,
+		            [&](std::size_t block)
+		            {
+			            const auto* end = ids + std::min(all, (block + 1) * at_once);
+			            if (std::any_of(ids + block * at_once, end, [&](auto id) { return id < 0 || id >= points; }))
+				            throw damaged("a cell has a point that is not there");
+		            });
 	    });
-}
-
-std::array<double, 3> PackDivision::place(std::size_t point) const
-{
-	std::array<double, 3> at;
-	if (places_->GetDataType() == VTK_FLOAT)
-		std::copy_n(static_cast<const float*>(places_->GetVoidPointer(0)) + 3 * point, 3, at.begin());
-	else if (places_->GetDataType() == VTK_DOUBLE)
-		std::copy_n(static_cast<const double*>(places_->GetVoidPointer(0)) + 3 * point, 3, at.begin());
-	else
-		places_->GetTuple(static_cast<vtkIdType>(point), at.data());
-	return at;
 }
 
 // Where the middle of a cell's points lies. A cell without a place is put at the beginning.
 template <class Id>
-std::uint64_t PackDivision::keyOf(const Id* begin, const Id* end, const PackBox& bounds) const
+std::uint64_t PackDivision::placeOnCurve(const Id* begin, const Id* end, const PackBox& bounds) const
 {
 	std::array<double, 3> middle{};
 	for (const Id* id = begin; id != end; ++id)
@@ -145,19 +143,14 @@ std::uint64_t PackDivision::keyOf(const Id* begin, const Id* end, const PackBox&
 	return mortonKey(along[0], along[1], along[2]);
 }
 
-// Counts a cell that nobody sees. marks: of all cells, or none.
+// marks: of all cells, or none.
 template <class Id>
-bool PackDivision::isSeen(std::size_t cell, const Id* begin, const Id* end, std::span<const std::uint8_t> marks)
+bool PackDivision::isSeen(std::size_t cell, const Id* begin, const Id* end, std::span<const std::uint8_t> marks) const
 {
 	const auto hasPlace = [this](Id id)
 	{ return std::ranges::all_of(place(static_cast<std::size_t>(id)), read::isPlace); };
-	vtkIdType* count = read::cellDimension(types_[cell]) < 3                      ? &left_out_.flat
-	                   : !marks.empty() && (marks[cell] & cells::kHiddenCellBits) ? &left_out_.hidden
-	                   : !std::all_of(begin, end, hasPlace)                       ? &left_out_.unplaced
-	                                                                              : nullptr;
-	if (count)
-		++*count;
-	return !count;
+	return read::cellDimension(types_[cell]) == 3 && (marks.empty() || !(marks[cell] & cells::kHiddenCellBits)) &&
+	       std::all_of(begin, end, hasPlace);
 }
 
 void PackDivision::divideCells(std::size_t most_cells)
@@ -168,74 +161,99 @@ void PackDivision::divideCells(std::size_t most_cells)
 	PackBox bounds;
 	for (std::size_t p = 0; p < static_cast<std::size_t>(grid_->GetNumberOfPoints()); ++p)
 		bounds.include(place(p));
-	std::vector<CellOnCurve> cells(types_.size()), unseen;
-	constexpr std::size_t at_once = 1 << 14;
+	HugeVector<CellOnCurve> cells;
 	withLists(
 	    [&](const auto* offsets, const auto* ids)
 	    {
-		    forEach((cells.size() + at_once - 1) / at_once,
-		            [&](std::size_t run)
-		            {
-			            for (std::size_t c = run * at_once; c < std::min(cells.size(), (run + 1) * at_once); ++c)
-				            cells[c] = {keyOf(ids + offsets[c], ids + endOf(c, offsets), bounds),
-				                        static_cast<std::uint32_t>(c)};
-		            });
-		    std::erase_if(cells,
-		                  [&](const CellOnCurve& cell)
-		                  {
-			                  const std::size_t c = cell.second;
-			                  if (isSeen(c, ids + offsets[c], ids + endOf(c, offsets), marks))
-				                  return false;
-			                  unseen.push_back(cell);
-			                  return true;
-		                  });
+		    const auto placesOf = [&](std::size_t first, std::span<std::uint64_t> places)
+		    {
+			    for (std::size_t i = 0; i < places.size(); ++i)
+			    {
+				    const auto *begin = ids + offsets[first + i], *end = ids + endOf(first + i, offsets);
+				    places[i] =
+				        isSeen(first + i, begin, end, marks) ? placeOnCurve(begin, end, bounds) : kBehindTheCurve;
+			    }
+		    };
+		    cells = alongCurve(types_.size(), placesOf, threads_);
 	    });
-	cell_ends_ = divide(cells, most_cells, threads_);
+	order_.reserve(cells.size());
+	for (const CellOnCurve& cell : cells)
+		order_.push_back(cell.cell);
+	const auto seen = static_cast<std::size_t>(std::partition_point(cells.begin(), cells.end(),
+	                                                                [](const CellOnCurve& cell)
+	                                                                { return cell.place < kBehindTheCurve; }) -
+	                                           cells.begin());
+	cell_ends_ = divide(std::span(cells).first(seen), most_cells);
 	seen_parts_ = cell_ends_.size();
-	for (std::size_t end = 0; end < unseen.size();)
+	for (std::size_t end = seen; end < cells.size();)
 	{
-		end = std::min(end + most_cells, unseen.size());
-		cell_ends_.push_back(cells.size() + end);
+		end = std::min(end + most_cells, cells.size());
+		cell_ends_.push_back(end);
 	}
-	order_.reserve(types_.size());
-	for (const std::vector<CellOnCurve>* list : {&cells, &unseen})
-		for (const CellOnCurve& cell : *list)
-			order_.push_back(cell.second);
+	countLeftOut(std::span(order_).subspan(seen), marks);
+}
+
+void PackDivision::countLeftOut(std::span<const std::uint32_t> cells, std::span<const std::uint8_t> marks)
+{
+	for (const std::uint32_t cell : cells)
+		if (read::cellDimension(types_[cell]) < 3)
+			++left_out_.flat;
+		else if (!marks.empty() && (marks[cell] & cells::kHiddenCellBits))
+			++left_out_.hidden;
+		else
+			++left_out_.unplaced;
 }
 
 void PackDivision::choosePoints()
 {
-	points_.resize(cell_ends_.size());
-	runs_.resize(cell_ends_.size());
-	withLists(
-	    [&](const auto* offsets, const auto* ids)
-	    {
-		    forEach(cell_ends_.size(),
-		            [&](std::size_t part)
-		            {
-			            // For each point the last part that was seen to have it, plus 1.
-			            thread_local std::vector<std::uint32_t> last_part;
-			            thread_local const PackDivision* division = nullptr; // whose points these are
-			            if (std::exchange(division, this) != this)
-				            last_part.assign(static_cast<std::size_t>(grid_->GetNumberOfPoints()), 0);
-			            const std::span<const std::uint32_t> cells = this->cells(part);
-			            runs_[part].resize((cells.size() + cells_of_run_ - 1) / cells_of_run_);
-			            for (std::size_t c = 0; c < cells.size(); ++c)
-			            {
-				            PackRun& run = runs_[part][c / cells_of_run_];
-				            for (auto i = offsets[cells[c]]; i < endOf(cells[c], offsets); ++i)
-				            {
-					            const auto id = static_cast<std::uint32_t>(ids[i]);
-					            if (part < seen_parts_)
-						            run.box.include(place(id));
-					            ++run.ids;
-					            if (std::exchange(last_part[id], static_cast<std::uint32_t>(part + 1)) != part + 1)
-						            points_[part].push_back(id);
-				            }
-			            }
-			            std::sort(points_[part].begin(), points_[part].end());
-		            });
-	    });
+	points_.resize(parts());
+	runs_.resize(parts());
+	std::vector<std::size_t> first_runs; // of each part, among all runs
+	std::size_t runs = 0;
+	for (std::size_t part = 0; part < parts(); ++part)
+	{
+		first_runs.push_back(runs);
+		runs_[part].resize((cells(part).size() + cells_of_run_ - 1) / cells_of_run_);
+		runs += runs_[part].size();
+	}
+	withLists([&](const auto* offsets, const auto* ids)
+	          { forEach(parts(), [&](std::size_t part) { choosePointsOf(part, first_runs[part], offsets, ids); }); });
+}
+
+template <class Id>
+void PackDivision::choosePointsOf(std::size_t part, std::size_t first_run, const Id* offsets, const Id* ids)
+{
+	// For each point the last run that was seen to have it, plus 1.
+	thread_local std::vector<std::uint32_t> last_run;
+	thread_local std::vector<std::uint32_t> of_run;
+	thread_local const PackDivision* division = nullptr; // whose points these are
+	if (std::exchange(division, this) != this)
+		last_run.assign(static_cast<std::size_t>(grid_->GetNumberOfPoints()), 0);
+	std::vector<std::uint32_t>& of_part = points_[part];
+	std::span<const std::uint32_t> cells = this->cells(part);
+	auto number = static_cast<std::uint32_t>(first_run);
+	for (PackRun& run : runs_[part])
+	{
+		++number;
+		of_run.clear();
+		for (const std::uint32_t cell : cells.first(std::min(cells_of_run_, cells.size())))
+			for (auto i = offsets[cell]; i < endOf(cell, offsets); ++i)
+			{
+				++run.ids;
+				const auto id = static_cast<std::uint32_t>(ids[i]);
+				const std::uint32_t last = std::exchange(last_run[id], number);
+				if (last == number)
+					continue;
+				of_run.push_back(id);
+				if (last <= first_run)
+					of_part.push_back(id);
+				if (part < seen_parts_)
+					run.box.include(place(id));
+			}
+		run.points.assign(of_run.begin(), of_run.end());
+		cells = cells.subspan(std::min(cells_of_run_, cells.size()));
+	}
+	std::sort(of_part.begin(), of_part.end());
 }
 
 } // namespace vp::reader::convert

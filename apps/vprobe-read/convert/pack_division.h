@@ -3,6 +3,7 @@
 #include "read/cell_types.h"
 
 #include <vtkCellArray.h>
+#include <vtkDataArray.h>
 #include <vtkTypeInt32Array.h>
 #include <vtkTypeInt64Array.h>
 #include <vtkUnstructuredGrid.h>
@@ -15,8 +16,6 @@
 #include <functional>
 #include <span>
 #include <vector>
-
-class vtkDataArray;
 
 namespace vp::reader::convert
 {
@@ -34,7 +33,8 @@ struct PackBox
 struct PackRun
 {
 	PackBox box;
-	std::uint32_t ids = 0; // that the cells list
+	std::uint32_t ids = 0;             // that the cells list
+	std::vector<std::uint32_t> points; // of the grid that they have, each once
 };
 
 // Divides the cells of a grid into parts that lie together in space. Cells that nobody sees come last, in parts of
@@ -67,7 +67,17 @@ public:
 
 	std::span<const std::uint8_t> types() const { return types_; } // VTK's, as the grid numbers its cells
 	bool areAlike() const;                                         // whether all have one type
-	std::array<double, 3> place(std::size_t point) const;
+	std::array<double, 3> place(std::size_t point) const
+	{
+		std::array<double, 3> at;
+		if (singles_)
+			std::copy_n(singles_ + 3 * point, 3, at.begin());
+		else if (doubles_)
+			std::copy_n(doubles_ + 3 * point, 3, at.begin());
+		else
+			places_->GetTuple(static_cast<vtkIdType>(point), at.data());
+		return at;
+	}
 
 	// Calls use(OFFSETS, IDS) with the lists of the grid as they are kept.
 	template <class Use>
@@ -86,21 +96,26 @@ public:
 		const auto size = static_cast<Id>(read::slicedCellSize(types_[cell]));
 		return size > 0 ? std::min(offsets[cell + 1], static_cast<Id>(offsets[cell] + size)) : offsets[cell + 1];
 	}
-	// Calls work(NUMBER) for each of so many, on all threads.
+	// Calls work(NUMBER) for each of so many, on all threads. Each thread's numbers ascend.
 	void forEach(std::size_t count, const std::function<void(std::size_t)>& work) const;
 
 private:
 	void refuseUnpackable() const;
 	void divideCells(std::size_t most_cells);
+	void countLeftOut(std::span<const std::uint32_t> cells, std::span<const std::uint8_t> marks);
 	void choosePoints();
 	template <class Id>
-	bool isSeen(std::size_t cell, const Id* begin, const Id* end, std::span<const std::uint8_t> marks);
+	void choosePointsOf(std::size_t part, std::size_t first_run, const Id* offsets, const Id* ids);
 	template <class Id>
-	std::uint64_t keyOf(const Id* begin, const Id* end, const PackBox& bounds) const;
+	bool isSeen(std::size_t cell, const Id* begin, const Id* end, std::span<const std::uint8_t> marks) const;
+	template <class Id>
+	std::uint64_t placeOnCurve(const Id* begin, const Id* end, const PackBox& bounds) const;
 
 	vtkUnstructuredGrid* grid_;
 	std::span<const std::uint8_t> types_;
 	vtkDataArray* places_;
+	const float* singles_ = nullptr; // the places, if they are of this type
+	const double* doubles_ = nullptr;
 	int threads_;
 	std::size_t cells_of_run_ = 512;
 	LeftOut left_out_;

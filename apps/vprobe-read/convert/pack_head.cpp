@@ -71,8 +71,8 @@ void writeFarthestPoints(vtkUnstructuredGrid* grid, const PackDivision& division
 {
 	Box bounds;
 	for (std::size_t part = 0; part < division.parts(); ++part)
-		for (const auto& [box, ids] : division.runs(part))
-			if (box.lo[0] <= box.hi[0])
+		for (const PackRun& run : division.runs(part))
+			if (const PackBox& box = run.box; box.lo[0] <= box.hi[0])
 				bounds.include(Box{{box.lo[0], box.lo[1], box.lo[2]}, {box.hi[0], box.hi[1], box.hi[2]}});
 	grid::FarthestPoints farthest(bounds.center());
 	farthest.include(bounds, static_cast<std::size_t>(grid->GetNumberOfPoints()),

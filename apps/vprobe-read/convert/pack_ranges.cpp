@@ -6,8 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
-#include <span>
 
 namespace vp::reader::convert
 {
@@ -43,33 +44,21 @@ struct Range
 
 } // namespace
 
-void gatherRanges(const PackDivision& division, std::size_t part, const grid::Field& values, std::vector<std::byte>& to)
+void gatherRanges(const PackDivision& division, std::size_t part, const grid::Field& values, std::byte* to)
 {
 	const std::size_t columns = read::columnsOfRanges(values.components);
-	std::vector<Range> ranges(division.runs(part).size() * columns);
-	const std::span<const std::uint32_t> cells = division.cells(part);
-	const auto include = [&](std::size_t run, std::size_t point)
-	{
+	for (const PackRun& run : division.runs(part))
 		for (std::size_t column = 0; column < columns; ++column)
 		{
 			const bool is_length = column + 1 == columns && columns > 1;
 			const int component = is_length ? grid::kMagnitude : static_cast<int>(column);
-			ranges[run * columns + column].include(grid::shownValue(values, point, component));
+			Range range;
+			for (const std::uint32_t point : run.points)
+				range.include(grid::shownValue(values, point, component));
+			const float ends[2] = {range.low(), range.high()};
+			std::memcpy(to, ends, sizeof(ends));
+			to += sizeof(ends);
 		}
-	};
-	division.withLists(
-	    [&](const auto* offsets, const auto* ids)
-	    {
-		    for (std::size_t c = 0; c < cells.size(); ++c)
-			    for (auto i = offsets[cells[c]]; i < division.endOf(cells[c], offsets); ++i)
-				    include(c / division.cellsOfRun(), static_cast<std::size_t>(ids[i]));
-	    });
-	for (const Range& range : ranges)
-	{
-		const float ends[2] = {range.low(), range.high()};
-		const std::span<const std::byte> bytes = std::as_bytes(std::span(ends));
-		to.insert(to.end(), bytes.begin(), bytes.end());
-	}
 }
 
 } // namespace vp::reader::convert

@@ -4,6 +4,7 @@
 #include "convert.h"
 #include "hdf5_output.h"
 #include "indexed_file.h"
+#include "pack_columns.h"
 #include "pack_division.h"
 #include "pack_facts.h"
 #include "pack_head.h"
@@ -27,6 +28,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <deque>
 #include <functional>
 #include <optional>
@@ -43,31 +45,12 @@ namespace vp::reader::convert
 namespace
 {
 
-using Bytes = std::vector<std::byte>;
-
-constexpr std::size_t kPartsAtOnce = 64; // are gathered on all threads, and then written
-
-void put(const void* from, std::size_t bytes, Bytes& to)
-{
-	const auto* first = static_cast<const std::byte*>(from);
-	to.insert(to.end(), first, first + bytes);
-}
-
 Array<std::byte> bytesOf(vtkDataArray& values)
 {
 	const auto size =
 	    static_cast<std::size_t>(values.GetNumberOfValues()) * static_cast<std::size_t>(values.GetDataTypeSize());
 	return {nullptr, static_cast<const std::byte*>(values.GetVoidPointer(0)), size};
 }
-
-// A list of the file: a row for each point, cell, or corner of a cell.
-struct Column
-{
-	RowWriter* rows;
-	std::size_t row_bytes;
-	// Appends the rows of a part.
-	std::function<void(std::size_t part, Bytes& to)> gather;
-};
 
 class PackWriter
 {
@@ -94,7 +77,7 @@ public:
 		addArrays("CellData", grid_->GetCellData(), false);
 		if (times_.areSeveral())
 			writeSteps();
-		writeColumns(columns_);
+		writeColumns(division_, columns_);
 	}
 
 	// Writes the values at the next time. Takes the grid out of those that were read at that time.
@@ -106,26 +89,25 @@ public:
 		{
 			array.field.bytes = bytesOf(*times_.valuesAt(time, grid, array.values, array.on_points));
 			array.facts.include(array.field);
-			const std::byte* from = array.field.bytes.data();
-			const std::size_t bytes =
-			    static_cast<std::size_t>(array.field.components) * grid::byteSize(array.field.type);
 			if (array.ranges)
 				columns.push_back({&*array.ranges, read::bytesOfRanges(array.field),
-				                   [this, &array](std::size_t part, Bytes& to)
+				                   [this](std::size_t part) { return division_.runs(part).size(); },
+				                   [this, &array](std::size_t part, std::byte* to)
 				                   { gatherRanges(division_, part, array.field, to); }});
 			if (indexed_)
+			{
 				array.places.push_back(indexed_->placeOf(array.on_points, array.values->GetName(), array.field));
-			else
-				columns.push_back({&*array.rows, bytes,
-				                   [this, from, bytes, on_points = array.on_points](std::size_t part, Bytes& to)
-				                   {
-					                   const std::span<const std::uint32_t> rows =
-					                       on_points ? division_.points(part) : division_.cells(part);
-					                   for (const std::uint32_t row : rows)
-						                   put(from + row * bytes, bytes, to);
-				                   }});
+				continue;
+			}
+			const std::size_t bytes =
+			    static_cast<std::size_t>(array.field.components) * grid::byteSize(array.field.type);
+			const auto rows = [this, on_points = array.on_points](std::size_t part)
+			{ return on_points ? division_.points(part) : division_.cells(part); };
+			columns.push_back({&*array.rows, bytes, [rows](std::size_t part) { return rows(part).size(); },
+			                   [rows, bytes, from = array.field.bytes.data()](std::size_t part, std::byte* to)
+			                   { copyRows(from, bytes, rows(part), to); }});
 		}
-		writeColumns(columns);
+		writeColumns(division_, columns);
 	}
 
 	// Writes what is known when all values were written.
@@ -144,89 +126,96 @@ public:
 	const PackDivision& division() const { return division_; }
 
 private:
+	// gather: writes the rows of a part, of which there are `rowsOf`.
 	void add(hid_t group, const char* name, hid_t type, std::vector<hsize_t> sides,
-	         std::function<void(std::size_t, Bytes&)> gather)
+	         std::function<std::size_t(std::size_t)> rowsOf, std::function<void(std::size_t, std::byte*)> gather)
 	{
 		std::size_t bytes = H5Tget_size(type);
 		for (std::size_t side = 1; side < sides.size(); ++side)
 			bytes *= sides[side];
 		lists_.emplace_back(group, name, type, std::move(sides));
-		columns_.push_back({&lists_.back(), bytes, std::move(gather)});
+		columns_.push_back({&lists_.back(), bytes, std::move(rowsOf), std::move(gather)});
 	}
 
 	void addCells(hid_t root, hid_t own)
 	{
 		const hsize_t points = division_.allPoints();
-		const hsize_t ids = division_.allIds();
+		const hsize_t cells = division_.types().size();
+		const auto pointsOf = [this](std::size_t part) { return division_.points(part).size(); };
+		const auto cellsOf = [this](std::size_t part) { return division_.cells(part).size(); };
+		const auto copy = [](std::span<const std::uint32_t> from, std::byte* to)
+		{ std::ranges::copy(std::as_bytes(from), to); };
 		add(root, "Points", places_->GetDataType() == VTK_FLOAT ? H5T_NATIVE_FLOAT : H5T_NATIVE_DOUBLE, {points, 3},
-		    [this](std::size_t part, Bytes& to) { gatherPlaces(part, to); });
-		add(root, "Connectivity", H5T_NATIVE_INT32, {ids},
-		    [this](std::size_t part, Bytes& to) { gatherIds(part, to); });
-		add(own, "PointNumbers", H5T_NATIVE_UINT32, {points},
-		    [this](std::size_t part, Bytes& to)
-		    { put(division_.points(part).data(), 4 * division_.points(part).size(), to); });
-		add(own, "CellNumbers", H5T_NATIVE_UINT32, {division_.types().size()},
-		    [this](std::size_t part, Bytes& to)
-		    { put(division_.cells(part).data(), 4 * division_.cells(part).size(), to); });
+		    pointsOf, [this](std::size_t part, std::byte* to) { gatherPlaces(part, to); });
+		add(
+		    root, "Connectivity", H5T_NATIVE_INT32, {division_.allIds()},
+		    [this](std::size_t part) { return division_.ids(part); },
+		    [this](std::size_t part, std::byte* to) { gatherIds(part, to); });
+		add(own, "PointNumbers", H5T_NATIVE_UINT32, {points}, pointsOf,
+		    [this, copy](std::size_t part, std::byte* to) { copy(division_.points(part), to); });
+		add(own, "CellNumbers", H5T_NATIVE_UINT32, {cells}, cellsOf,
+		    [this, copy](std::size_t part, std::byte* to) { copy(division_.cells(part), to); });
 	}
 
 	void addTypes(hid_t root)
 	{
-		add(root, "Offsets", H5T_NATIVE_INT32, {division_.types().size() + partitions_.partitions().size()},
-		    [this](std::size_t part, Bytes& to) { gatherOffsets(part, to); });
-		add(root, "Types", H5T_NATIVE_UINT8, {division_.types().size()},
-		    [this](std::size_t part, Bytes& to)
-		    {
-			    for (const std::uint32_t cell : division_.cells(part))
-				    to.push_back(static_cast<std::byte>(division_.types()[cell]));
-		    });
+		add(
+		    root, "Offsets", H5T_NATIVE_INT32, {division_.types().size() + partitions_.partitions().size()},
+		    [this](std::size_t part)
+		    { return division_.cells(part).size() + (partitions_.before(part).cells == 0 ? 1 : 0); },
+		    [this](std::size_t part, std::byte* to) { gatherOffsets(part, to); });
+		add(
+		    root, "Types", H5T_NATIVE_UINT8, {division_.types().size()},
+		    [this](std::size_t part) { return division_.cells(part).size(); },
+		    [this](std::size_t part, std::byte* to)
+		    { copyRows(std::as_bytes(division_.types()).data(), 1, division_.cells(part), to); });
 	}
 
-	void gatherPlaces(std::size_t part, Bytes& to) const
+	void gatherPlaces(std::size_t part, std::byte* to) const
 	{
-		const bool is_single = places_->GetDataType() == VTK_FLOAT;
+		if (const int type = places_->GetDataType(); type == VTK_FLOAT || type == VTK_DOUBLE)
+			return copyRows(bytesOf(*places_).data(), type == VTK_FLOAT ? 12 : 24, division_.points(part), to);
 		for (const std::uint32_t point : division_.points(part))
 		{
 			const std::array<double, 3> at = division_.place(point);
-			if (!is_single)
-				put(at.data(), sizeof(at), to);
-			else
-				for (const double number : at)
-				{
-					const auto single = static_cast<float>(number);
-					put(&single, sizeof(single), to);
-				}
+			std::memcpy(to, at.data(), sizeof(at));
+			to += sizeof(at);
 		}
 	}
 
-	void gatherIds(std::size_t part, Bytes& to) const
+	void gatherIds(std::size_t part, std::byte* to) const
 	{
 		thread_local std::vector<std::int32_t> within; // the place of a point in its partition
 		within.resize(static_cast<std::size_t>(grid_->GetNumberOfPoints()));
-		for (std::size_t p = 0; p < division_.points(part).size(); ++p)
-			within[division_.points(part)[p]] =
-			    static_cast<std::int32_t>(partitions_.before(part).points) + static_cast<std::int32_t>(p);
+		auto next = static_cast<std::int32_t>(partitions_.before(part).points);
+		for (const std::uint32_t point : division_.points(part))
+			within[point] = next++;
 		division_.withLists(
 		    [&](const auto* offsets, const auto* ids)
 		    {
 			    for (const std::uint32_t cell : division_.cells(part))
-				    for (auto i = offsets[cell]; i < division_.endOf(cell, offsets); ++i)
-					    put(&within[static_cast<std::size_t>(ids[i])], sizeof(std::int32_t), to);
+				    for (auto i = offsets[cell]; i < division_.endOf(cell, offsets); ++i, to += sizeof(std::int32_t))
+					    std::memcpy(to, &within[static_cast<std::size_t>(ids[i])], sizeof(std::int32_t));
 		    });
 	}
 
-	void gatherOffsets(std::size_t part, Bytes& to) const
+	void gatherOffsets(std::size_t part, std::byte* to) const
 	{
 		auto end = static_cast<std::int32_t>(partitions_.before(part).ids);
+		const auto putEnd = [&]
+		{
+			std::memcpy(to, &end, sizeof(end));
+			to += sizeof(end);
+		};
 		if (partitions_.before(part).cells == 0)
-			put(&end, sizeof(end), to);
+			putEnd();
 		division_.withLists(
 		    [&](const auto* offsets, const auto*)
 		    {
 			    for (const std::uint32_t cell : division_.cells(part))
 			    {
 				    end += static_cast<std::int32_t>(division_.endOf(cell, offsets) - offsets[cell]);
-				    put(&end, sizeof(end), to);
+				    putEnd();
 			    }
 		    });
 	}
@@ -272,28 +261,6 @@ private:
 			if (!indexed_)
 				steps.push_back({array.on_points, array.name, array.rows_of_time});
 		writePackSteps(root_, times_.times(), partitions_.partitions().size(), steps);
-	}
-
-	void writeColumns(const std::deque<Column>& columns)
-	{
-		for (std::size_t first = 0; first < division_.parts(); first += kPartsAtOnce)
-		{
-			const std::size_t parts = std::min(kPartsAtOnce, division_.parts() - first);
-			std::vector<std::vector<Bytes>> gathered(columns.size(), std::vector<Bytes>(parts));
-			division_.forEach(parts,
-			                  [&](std::size_t part)
-			                  {
-				                  for (std::size_t column = 0; column < columns.size(); ++column)
-					                  columns[column].gather(first + part, gathered[column][part]);
-			                  });
-			for (std::size_t column = 0; column < columns.size(); ++column)
-			{
-				Bytes together;
-				for (const Bytes& of_part : gathered[column])
-					together.insert(together.end(), of_part.begin(), of_part.end());
-				columns[column].rows->append(together.data(), together.size() / columns[column].row_bytes);
-			}
-		}
 	}
 
 	struct PackedArray
