@@ -12,7 +12,8 @@ namespace vp::grid
 struct ArrayFacts
 {
 	std::uint64_t tuples = 0;
-	std::vector<ValueSpan> spans{}; // valueSpan() of each component, and last of kMagnitude
+	std::vector<ValueSpan> spans{};       // valueSpan() of each component, and last of kMagnitude
+	std::vector<double> least_positive{}; // leastPositive() of the same, or empty
 	// distinctValues() and changesOf(), if the array has one component of integers. Else empty.
 	Distinct values{};
 	Changes changes{};

@@ -61,7 +61,7 @@ void finishMesh(const grid::BlockSet& blocks, std::span<const ShownBlock> shown,
 	const bool joins = cleanup.at_points || mesh.boundary_polygons > 0 || blocks.blocks.size() > 1 ||
 	                   blocks.interfaces.of(0) != nullptr;
 	// Where seams are not known, a block may meet itself.
-	const bool joined = (joins || !grid::knowsSeams(blocks)) && joinVertices(blocks, mesh, false, hanging);
+	const bool joined = (joins || !grid::knowsSeams(blocks)) && joinVertices(blocks, mesh, hanging);
 	if (joins || joined || cleanup.slivers)
 	{
 		tidyPolygons(mesh, normal);

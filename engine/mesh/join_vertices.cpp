@@ -24,11 +24,25 @@ public:
 	{
 	}
 
-	bool join(bool by_place, Hanging hanging)
+	bool joinSheet(Hanging hanging)
 	{
 		joinAtGridPoints();
-		std::vector<HangingVertex> hanging_vertices = joinAtSeams(by_place, hanging);
-		if (ofSeveralBlocks() || (by_place && meetsItself()))
+		return grid::knowsSeams(blocks_) ? join(blocks_.interfaces, false, hanging)
+		                                 : join(seamsOfMesh(blocks_, mesh_, joined_), false, hanging);
+	}
+
+	void joinFaces(const grid::Interfaces& seams)
+	{
+		joinAtGridPoints();
+		join(seams, true, Hanging::keep);
+	}
+
+private:
+	bool join(const grid::Interfaces& seams, bool by_place, Hanging hanging)
+	{
+		std::vector<HangingVertex> hanging_vertices = joinAtSeams(seams, by_place, hanging);
+		const bool meets_itself = !mesh_.edges.empty() && seams.of(mesh_.edges[0].block) != nullptr;
+		if (ofSeveralBlocks() || (by_place && meets_itself))
 			joinAtSamePlace(by_place);
 		const bool hangs = !hanging_vertices.empty();
 		if (hangs)
@@ -41,7 +55,6 @@ public:
 		return any || hangs || !mesh_.seam_pairs.empty();
 	}
 
-private:
 	void joinAtGridPoints()
 	{
 		KeyNumbers at_point(0);
@@ -62,11 +75,9 @@ private:
 	}
 
 	// Returns the vertices that hang and are left to link.
-	std::vector<HangingVertex> joinAtSeams(bool by_place, Hanging hanging)
+	std::vector<HangingVertex> joinAtSeams(const grid::Interfaces& seams, bool by_place, Hanging hanging)
 	{
-		SeamVertices found = grid::knowsSeams(blocks_)
-		                         ? seamVertices(blocks_, blocks_.interfaces, mesh_)
-		                         : seamVertices(blocks_, seamsOfMesh(blocks_, mesh_, joined_), mesh_);
+		SeamVertices found = seamVertices(blocks_, seams, mesh_);
 		for (const VertexPair& pair : found.pairs)
 			if (!by_place || areOnEdge(pair.first, pair.second))
 				joinOrPair(pair.first, pair.second);
@@ -120,12 +131,6 @@ private:
 	bool ofSeveralBlocks() const
 	{
 		return std::ranges::any_of(mesh_.edges, [&](const EdgePoint& e) { return e.block != mesh_.edges[0].block; });
-	}
-
-	bool meetsItself() const
-	{
-		return !mesh_.edges.empty() &&
-		       (!grid::knowsSeams(blocks_) || blocks_.interfaces.of(mesh_.edges[0].block) != nullptr);
 	}
 
 	// Two corners of one polygon at one place, as beside a grid point, stay two: its mean depends on that. So of each
@@ -189,9 +194,14 @@ private:
 
 } // namespace
 
-bool joinVertices(const grid::BlockSet& blocks, SheetMesh& mesh, bool by_place, Hanging hanging)
+bool joinVertices(const grid::BlockSet& blocks, SheetMesh& mesh, Hanging hanging)
 {
-	return VertexJoiner(blocks, mesh).join(by_place, hanging);
+	return VertexJoiner(blocks, mesh).joinSheet(hanging);
+}
+
+void joinVerticesOfFaces(const grid::BlockSet& blocks, const grid::Interfaces& seams, SheetMesh& mesh)
+{
+	VertexJoiner(blocks, mesh).joinFaces(seams);
 }
 
 } // namespace vp::mesh

@@ -15,15 +15,16 @@ namespace vp::mesh
 // polygons. So vertices stay apart if their places or any of their point arrays differ; those of a seam are then listed
 // in mesh.seam_pairs. Vertices out of use stay in the mesh.
 //
-// A plane cuts an edge of a seam once, whatever rounding and tolerance make of the place. What is given `by_place`
-// lies, as grid surfaces of two blocks do, at places of its own along such an edge, and is joined at equal ones only;
-// also within a block that meets itself, where faces about a point may have none of the seam's between them.
+// A plane cuts an edge of a seam once, whatever rounding and tolerance make of the place.
 //
-// Where a cell meets several smaller ones, its polygon gets corners where they have vertices (hanging_vertices.h). By
-// place, nothing hangs.
+// Where a cell meets several smaller ones, its polygon gets corners where they have vertices (hanging_vertices.h).
 //
 // Returns whether vertices were joined, linked, or put into mesh.seam_pairs.
-bool joinVertices(const grid::BlockSet& blocks, SheetMesh& mesh, bool by_place = false,
-                  Hanging hanging = Hanging::keep);
+bool joinVertices(const grid::BlockSet& blocks, SheetMesh& mesh, Hanging hanging = Hanging::keep);
+
+// The same for faces of cells and other surfaces along the grid, which meet at some seams. They lie at places of their
+// own along the edges of a seam, and are joined at equal ones only; also within a block that meets itself, where faces
+// about a point may have none of the seam's between them. Nothing hangs.
+void joinVerticesOfFaces(const grid::BlockSet& blocks, const grid::Interfaces& seams, SheetMesh& mesh);
 
 } // namespace vp::mesh

@@ -105,7 +105,7 @@ SheetMesh gridIndexMesh(const grid::BlockSet& blocks, const GridIndex& at, std::
 				    BlockSurface(grid, b, *lattice, at, mesh, cuts[b].cells().cells.size()).add(cuts[b].cells().cells);
 			    },
 			    blocks.blocks[b].grid);
-	joinVertices(blocks, mesh, true);
+	joinVerticesOfFaces(blocks, blocks.interfaces, mesh);
 	tidyPolygons(mesh);
 	dropUnusedVertices(mesh);
 	return mesh;
@@ -132,7 +132,7 @@ SheetMesh patchMesh(const grid::BlockSet& blocks, const std::string& name, std::
 			    }
 		    },
 		    blocks.blocks[b].grid);
-	joinVertices(blocks, mesh, true);
+	joinVerticesOfFaces(blocks, blocks.interfaces, mesh);
 	tidyPolygons(mesh);
 	dropUnusedVertices(mesh);
 	return mesh;

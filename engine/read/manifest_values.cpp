@@ -127,6 +127,13 @@ std::shared_ptr<const grid::ArrayFacts> factsOf(const json& facts, int component
 	}
 	if (found->spans.size() != static_cast<std::size_t>(components) + 1)
 		throw Unusable("an array has not a range for each of its components");
+	if (const auto least = facts.find("least_positive"); least != facts.end())
+	{
+		for (const json& each : *least)
+			found->least_positive.push_back(finiteOf(each));
+		if (least->size() != found->spans.size() || std::ranges::min(found->least_positive) < 0.0)
+			throw Unusable("an array has not the least value above 0 of each of its components");
+	}
 	for (const json& value : facts.at("values"))
 		found->values.include(finiteOf(value));
 	found->changes = {countOf(facts.at("changes").at(0)), countOf(facts.at("changes").at(1))};

@@ -65,7 +65,7 @@ namespace vp::read
 // ends], "parts", "parts_read", "bytes_read", "farthest": array of float64, points as of grid::FarthestPoints, if they
 // are known, "numbers": array of int64 in kCellsFd, the number in the packed file of each cell}. Its arrays have
 // "facts" on all values (grid::ArrayFacts): {"tuples", "spans": [[lo, hi, whether there is -inf, +inf] ..], lo and hi
-// null if no value is finite, "values": [..], "changes": [all, to the next value]}.
+// null if no value is finite, "values": [..], "changes": [all, to the next value]}, and maybe "least_positive": [..].
 //
 // With PARTS "places", the block of a pack whose lists lie in the file as they are in memory is of kind "packed". It
 // has "file", "type" of all cells or 0, "type_of_points", "runs": {"boxes": array of float64, lo and hi of each, and as
@@ -78,7 +78,7 @@ namespace vp::read
 // one, it has the five numbers of read::SourceStamp, and the offsets of arrays are places in that other file. Other
 // files are read as if PARTS was empty. Started as "vprobe-read copies", it reads nothing and makes copies of itself,
 // which are as if started with the arguments above; see ready_reader.h.
-constexpr int kProtocolVersion = 20;
+constexpr int kProtocolVersion = 21;
 constexpr int kArraysFd = 3;
 constexpr int kManifestFd = 4;
 constexpr int kCellsFd = 5;

@@ -4,6 +4,7 @@
 #include "base/timeline.h"
 #include "find/curved_sheet.h"
 #include "find/scan.h"
+#include "grid/least_positive.h"
 #include "parts/kept_parts.h"
 #include "parts/stoppable.h"
 #include "session/session.h"
@@ -43,8 +44,19 @@ bool meetsFewValues(const view::ViewSpec& spec)
 bool looksAtCutAlone(const view::ViewSpec& spec)
 {
 	return looksAtSheetsAlone(spec) && !needsNeighbors(spec) && !spec.input.displace &&
-	       spec.input.displace_by.empty() && !spec.input.cell_to_point && !spec.look.logarithmic &&
-	       !spec.machine.visited && spec.machine.classify != view::Classify::gpu;
+	       spec.input.displace_by.empty() && !spec.input.cell_to_point && !spec.machine.visited &&
+	       spec.machine.classify != view::Classify::gpu;
+}
+
+bool knowsLeastPositive(const grid::BlockSet& blocks)
+{
+	return std::ranges::all_of(blocks.blocks, [](const grid::Block& block)
+	                           { return !block.runs || std::ranges::all_of(block.fields, grid::knowsLeastPositive); });
+}
+
+bool looksAtCutAlone(const view::ViewSpec& spec, const grid::BlockSet& blocks)
+{
+	return looksAtCutAlone(spec) && (!spec.look.logarithmic || knowsLeastPositive(blocks));
 }
 
 std::vector<std::vector<std::uint32_t>> runsMet(const grid::BlockSet& blocks, const cut::CutRequest& request)
@@ -90,7 +102,7 @@ Result<bool> Session::changesBlocksFor(const FrameRequest& request) const
 	const Result<bool> lacks = needsNeighborsFor(request);
 	if (!lacks || *lacks || !grid::lacksParts(blocks_))
 		return lacks;
-	if (!looksAtCutAlone(spec_))
+	if (!looksAtCutAlone(spec_, blocks_))
 		return true;
 	const auto fitsWhole = [](const grid::Block& block)
 	{ return !block.runs || !mustLetGo(*block.runs, block.runs->all()); };
@@ -109,7 +121,7 @@ Status Session::readParts(const FrameRequest& request, const std::stop_token& st
 	const Result<bool> lacks = needsNeighborsFor(request);
 	if (!lacks)
 		return lacks.error();
-	if (*lacks || !looksAtCutAlone(spec_))
+	if (*lacks || !looksAtCutAlone(spec_, blocks_))
 		return readAllParts(stop);
 	const TimedSection section(timeline_.get(), "read");
 	const std::vector<std::vector<std::uint32_t>> met_of_blocks = runsMet(blocks_, cutRequest(request));

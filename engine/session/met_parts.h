@@ -15,6 +15,10 @@ bool meetsFewValues(const view::ViewSpec& spec);
 
 /// Returns true if frames by the settings look at nothing but cells that the sheets meet, where they are in the file.
 bool looksAtCutAlone(const view::ViewSpec& spec);
+/// The same for these blocks: a logarithmic scale begins at a value that old packs do not tell.
+bool looksAtCutAlone(const view::ViewSpec& spec, const grid::BlockSet& blocks);
+/// Returns true if the files tell the least value above 0 of each array that they have in runs.
+bool knowsLeastPositive(const grid::BlockSet& blocks);
 
 /// For each block the numbers of the runs that some sheet of a cut may meet, ascending. Empty for blocks without runs.
 std::vector<std::vector<std::uint32_t>> runsMet(const grid::BlockSet& blocks, const cut::CutRequest& request);

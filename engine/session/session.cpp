@@ -29,9 +29,13 @@ bool needsNeighbors(const view::ViewSpec& spec)
 {
 	const view::ProbeSpec& probe = spec.probe;
 	const view::LookSpec& look = spec.look;
-	return probe.crinkle || probe.vectors.on() || view::replacesSheets(probe.surface) ||
-	       look.color_by == view::ColorBy::generation || look.outline == render::Outline::edges ||
-	       !look.context.empty() || look.contour.isGiven();
+	return probe.vectors.on() || view::replacesSheets(probe.surface) || look.color_by == view::ColorBy::generation ||
+	       look.outline == render::Outline::edges || !look.context.empty() || look.contour.isGiven();
+}
+
+bool needsNeighbors(const view::ViewSpec& spec, const grid::BlockSet& blocks)
+{
+	return needsNeighbors(spec) || (spec.probe.crinkle && blocks.blocks.size() > 1);
 }
 
 namespace
@@ -257,7 +261,7 @@ bool resolveAlike(const view::ViewSpec& a, const view::ViewSpec& b)
 Status Session::set(view::ViewSpec spec)
 {
 	// Whoever draws by these settings may look at all values before there is a frame.
-	if (grid::lacksParts(blocks_) && !looksAtCutAlone(spec))
+	if (grid::lacksParts(blocks_) && !looksAtCutAlone(spec, blocks_))
 		if (Status read = readAllParts(); !read)
 			return read;
 	if (!cutAlike(spec_, spec))
@@ -363,7 +367,7 @@ Result<bool> Session::needsNeighborsFor(const FrameRequest& request) const
 	// without.
 	const bool does_without = grid::hasNeighbors(blocks_) ? request.expect == Expect::one_cut && servesOneCut(spec_)
 	                                                      : !planned->needs_neighbors;
-	return !does_without || needsNeighbors(spec_);
+	return !does_without || needsNeighbors(spec_, blocks_) || (spec_.probe.crinkle && !ranks_.holdsAll());
 }
 
 Status Session::prepareFor(const FrameRequest& request, const std::stop_token& stop)

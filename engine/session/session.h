@@ -266,9 +266,11 @@ Result<grid::BlockSet> readInputs(const view::ViewSpec& spec);
 /// pack, whose file tells the rest (grid::lacksParts).
 Result<grid::BlockSet> readFacts(const view::ViewSpec& spec);
 
-/// Returns true if the settings need neighbors, whatever a plan says: for whole cells, vectors, grid surfaces,
-/// contours, or surfaces around the sheets.
+/// Returns true if the settings need neighbors, whatever a plan says: for vectors, grid surfaces, contours, or surfaces
+/// around the sheets.
 bool needsNeighbors(const view::ViewSpec& spec);
+/// The same for these blocks. The faces of whole cells are compared with each other, and need seams of several blocks.
+bool needsNeighbors(const view::ViewSpec& spec, const grid::BlockSet& blocks);
 
 /// Returns true if blocks that were read for one cut serve the settings: seeds from every row do as well as others.
 bool servesOneCut(const view::ViewSpec& spec);

@@ -1,8 +1,8 @@
 #include "session/times_seen.h"
 
 #include "base/progress.h"
+#include "grid/least_positive.h"
 #include "ranks/data/share.h"
-#include "render/scene/least_positive.h"
 #include "session/time_steps.h"
 #include "session/value_scale.h"
 
@@ -82,7 +82,7 @@ Result<TimesSeen> lookAtTimes(const Session& session, std::span<const std::size_
 		for (TimesSeen::Array& array : seen.arrays)
 		{
 			array.span.include(spanOf(blocks, ranks, array.field));
-			if (is_in_runs) // logarithms are taken of what was read as a whole
+			if (is_in_runs && !knowsLeastPositive(blocks)) // then logarithms are taken of what was read as a whole
 				continue;
 			const double least = leastPositive(blocks, ranks, array.field);
 			if (least > 0.0 && !(array.least_positive > 0.0 && array.least_positive < least))

@@ -1,7 +1,7 @@
 #include "session/value_scale.h"
 
 #include "base/messages.h"
-#include "render/scene/least_positive.h"
+#include "grid/least_positive.h"
 #include "session/scan_values.h"
 
 #include <fmt/format.h>
@@ -42,12 +42,16 @@ grid::ValueSpan spanOf(const Session& session, const grid::FieldChoice& field)
 
 double leastPositive(const grid::BlockSet& blocks, const ranks::Ranks& ranks, const grid::FieldChoice& field)
 {
-	return ranks.sum(render::leastPositive(blocks, field),
-	                 [](double& least, double other)
-	                 {
-		                 if (other > 0.0 && !(least > 0.0 && least < other))
-			                 least = other;
-	                 });
+	double all = 0.0;
+	const auto include = [](double& least, double other)
+	{
+		if (other > 0.0 && !(least > 0.0 && least < other))
+			least = other;
+	};
+	for (const grid::Field* of_block : field.inEach(blocks))
+		if (of_block)
+			include(all, grid::leastPositive(*of_block, field.component));
+	return ranks.sum(all, include);
 }
 
 Result<std::optional<render::ValueScale>> valueScale(const Session& session,

@@ -41,6 +41,25 @@ TEST_F(Scan, IsTheOnlyCutOfAnUnstructuredGrid)
 	EXPECT_EQ(count(stats({"demo:shell:8"})["sheets"][0], "cells_scanned"), 0u);
 }
 
+TEST_F(Scan, ShowsWholeCellsAsASearchDoes)
+{
+	for (const Arguments& sheet :
+	     {Arguments{"--normal", "1", "2", "3"}, Arguments{"--normal", "z", "--origin", "0", "0", "0"},
+	      Arguments{"--surface", "sphere:0.6"}, Arguments{"--window", "0.9", "0.7"}})
+	{
+		const Arguments cut = Arguments{"demo:tets:8", "--crinkle"} + sheet;
+		const nlohmann::json scanned = stats(cut);
+		EXPECT_EQ(scanned["plan"][0]["strategy"], "scan");
+		EXPECT_EQ(scanned["ms"]["adjacency"], 0.0);
+		const nlohmann::json searched = stats(cut + Arguments{"--strategy", "generations"});
+		const nlohmann::json &faces = scanned["sheets"][0]["crinkle"], &wanted = searched["sheets"][0]["crinkle"];
+		EXPECT_GT(count(faces, "faces"), 0u);
+		EXPECT_EQ(faces["faces"], wanted["faces"]);
+		EXPECT_EQ(faces["vertices"], wanted["vertices"]);
+		EXPECT_NEAR(faces["area"], wanted["area"], 1e-12 * wanted["area"].get<double>());
+	}
+}
+
 TEST_F(Scan, GivesWayToWhatNeedsNeighbors)
 {
 	const auto strategy = [&](const Arguments& more)
@@ -49,9 +68,9 @@ TEST_F(Scan, GivesWayToWhatNeedsNeighbors)
 	EXPECT_EQ(strategy({"--outside", "report"}), "cells");
 	EXPECT_EQ(strategy({"--visited", "stamps"}), "generations");
 	EXPECT_EQ(strategy({"--threshold", "-1", "0.5"}), "generations");
-	EXPECT_EQ(strategy({"--crinkle"}), "cells");
 	EXPECT_EQ(strategy({"--contour", "0.2", "--window", "0.5", "0.5"}), "cells");
 	EXPECT_EQ(strategy({"--vectors", "tufts"}), "cells");
+	EXPECT_EQ(strategy({"--crinkle"}), "scan");
 	EXPECT_EQ(strategy({"--surface", "sphere:2"}), "scan");
 	EXPECT_EQ(strategy({"--window", "1", "1"}), "scan");
 }

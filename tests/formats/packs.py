@@ -13,7 +13,7 @@ CUTS = (['--normal', '0.3', '0.5', '0.81'], ['--normal', '1', '0', '0', '--origi
         ['--normal', '0', '0', '1', '--origin', '0', '0', '4'],
         ['--surface', 'sphere:1.5', '--origin', '1', '0.5', '4'],
         ['--surface', 'sin(3*x) + y - 0.4*z + 1'], ['--probe', 'trihedral'], ['--probe', 'paddlewheel'],
-        ['--probe', 'stack', '--sheets', '3'], ['--window', '0.7', '0.5'],
+        ['--probe', 'stack', '--sheets', '3'], ['--window', '0.7', '0.5'], ['--normal', '1', '0', '2', '--crinkle'],
         ['--normal', '1', '0', '0', '--origin', '90', '0', '0'])  # meets nothing
 
 
@@ -84,8 +84,9 @@ def packs_read_what_is_cut(folder):
     """A thin layer of a box meets few of its parts."""
     pack = folder / 'box.vtkhdf'
     vprobe('pack', 'demo:tets:16', '-o', pack, '--part', '256')
-    told = same_figures('demo:tets:16', pack, ['--normal', '1', '2', '3'], folder)
-    assert told['met'] < 0.7 * told['all'] and told['bytes_read'] < 0.9 * pack.stat().st_size, told
+    for options in ([], ['--crinkle']):
+        told = same_figures('demo:tets:16', pack, ['--normal', '1', '2', '3', *options], folder)
+        assert told['met'] < 0.7 * told['all'] and told['bytes_read'] < 0.9 * pack.stat().st_size, told
 
 
 def swept(path, folder, *options):
@@ -151,7 +152,7 @@ def packs_show_one_value(folder):
 def packs_are_whole_where_that_is_asked(folder):
     """What looks beyond the cut cells reads all parts, as all other commands do."""
     path, pack = packed(folder, '--part', '64')
-    for options in (['--crinkle'], ['--threshold', '30', '400'], ['--strategy', 'cells'],
+    for options in (['--threshold', '30', '400'], ['--strategy', 'cells'],
                     ['--seeds', 'boundary'], ['--cell-to-point', '--array', 'g']):
         done = [subprocess.run([VPROBE, 'slice', each, *options, '--stats', folder / 's.json'], capture_output=True,
                                encoding='utf-8') for each in (path, pack)]
@@ -176,6 +177,29 @@ def packs_look_like_their_inputs(folder):
             # Without the letters of the title, which has the file's name.
             pictures.append(sorted(line for line in out.read_text().splitlines() if 'fill:rgb' in line))
         assert pictures[0] == pictures[1], array
+
+
+def packs_take_logarithms(folder):
+    """A logarithmic scale begins at the least value above 0, wherever that lies. Old packs do not tell it."""
+    h5py = need('h5py')
+    path, pack = packed(folder, '--part', '64')
+    old = folder / 'old.vtkhdf'
+    shutil.copy(pack, old)
+    with h5py.File(old, 'r+') as file:
+        for array in (*file['vprobe/PointData'].values(), *file['vprobe/CellData'].values()):
+            del array['LeastPositive']
+    for array in ('f', 'v', 'material'):
+        scales, reads = [], []
+        for each in (path, pack, old):
+            out, stats = folder / 'log.svg', folder / 'log.json'
+            cut = ['slice', each, '--normal', '0', '0', '1', '--origin', '0', '0', '1', '--array', array, '--log']
+            done = subprocess.run([VPROBE, *cut, '-o', out, '--stats', stats], capture_output=True, encoding='utf-8')
+            assert done.returncode == 0, done
+            lines = done.stderr.replace(str(each), '')
+            scales.append((lines, sorted(line for line in out.read_text().splitlines() if 'fill:rgb' in line)))
+            reads.append(json.loads(stats.read_text())['parts'])
+        assert scales[0] == scales[1] == scales[2], array
+        assert reads[1]['read'] < reads[1]['all'] == reads[2]['read'], (array, reads)
 
 
 def packs_tell_cells_that_are_left_out(folder):
@@ -381,6 +405,8 @@ def damaged_packs_are_refused(folder):
         'no numbers of all': shorten('vprobe/CellNumbers'), 'points missing': shorten('VTKHDF/Points'),
         'no part of all': shorten('vprobe/PartCells'), 'another part': change('vprobe/PartPoints', 0, 3),
         'no numbers': remove('vprobe/PointNumbers'), 'no ranges': remove('vprobe/PointData/f/Spans'),
+        'a least value below 0': change('vprobe/PointData/f/LeastPositive', 0, -1.0),
+        'no least value of all': shorten('vprobe/PointData/f/LeastPositive'),
         'no ranges of all': shorten('vprobe/PointData/f/RunRanges'),
         'offsets that fall': change('VTKHDF/Offsets', 2, 100000), 'a wrong count': change('VTKHDF/NumberOfCells', 0, 1),
         'ranges turned': change('vprobe/PointData/f/Spans', (0, 0), 1e30)}
@@ -412,6 +438,7 @@ def packing_refuses(folder):
 
 
 CASES = [packs_are_cut_as_their_inputs, packs_read_what_is_cut, packs_are_swept_as_their_inputs, packs_show_one_value,
-         packs_are_whole_where_that_is_asked, packs_look_like_their_inputs, packs_tell_cells_that_are_left_out,
+         packs_are_whole_where_that_is_asked, packs_look_like_their_inputs, packs_take_logarithms,
+         packs_tell_cells_that_are_left_out,
          packs_keep_what_is_odd, packs_are_converted_and_packed_again, arrays_that_become_alike_are_kept,
          vtk_reads_packs, parts_of_several_partitions, packs_in_chunks, damaged_packs_are_refused, packing_refuses]

@@ -76,7 +76,6 @@ TEST_F(Packs, LookLikeTheirInputs)
 {
 	const std::string pack = path("pack.vtkhdf");
 	ASSERT_EQ(run({"pack", "demo:tets:8", "-o", pack, "--part", "64"}).status, 0);
-	// Whole cells need all parts, and their neighbors.
 	const std::vector<std::string> commands = {"do push_forward", "do push_back", "set crinkle true", "do push_back",
 	                                           "set crinkle false"};
 	const std::vector<vp::render::Picture> wanted = seen("demo:tets:8", commands);

@@ -208,7 +208,7 @@ void PackDivision::choosePoints()
 {
 	points_.resize(parts());
 	runs_.resize(parts());
-	std::vector<std::size_t> first_runs; // of each part, among all runs
+	std::vector<std::size_t> first_runs; // the number of the first run of each part
 	std::size_t runs = 0;
 	for (std::size_t part = 0; part < parts(); ++part)
 	{

@@ -34,7 +34,7 @@ struct PackRun
 {
 	PackBox box;
 	std::uint32_t ids = 0;             // that the cells list
-	std::vector<std::uint32_t> points; // of the grid that they have, each once
+	std::vector<std::uint32_t> points; // that they have, each once
 };
 
 // Divides the cells of a grid into parts that lie together in space. Cells that nobody sees come last, in parts of

@@ -1,6 +1,7 @@
 #include "pack_facts.h"
 
 #include "grid/labels.h"
+#include "grid/least_positive.h"
 #include "hdf5_output.h"
 
 #include <array>
@@ -14,9 +15,12 @@ void PackFacts::include(const grid::Field& field)
 {
 	for (int component = 0; component <= field.components; ++component)
 	{
-		const auto span = grid::valueSpan(field, component == field.components ? grid::kMagnitude : component);
+		const int shown = component == field.components ? grid::kMagnitude : component;
+		const auto span = grid::valueSpan(field, shown);
 		spans_.insert(spans_.end(),
 		              {span.lo, span.hi, span.minus_infinity ? 1.0 : 0.0, span.plus_infinity ? 1.0 : 0.0});
+		// Where all values are above 0, nobody needs to look again.
+		least_positive_.push_back(span.empty() ? 0.0 : span.lo > 0.0 ? span.lo : grid::leastPositive(field, shown));
 	}
 	if (field.components > 1 || field.type >= grid::NumberType::float32)
 		return;
@@ -31,6 +35,7 @@ void PackFacts::include(const grid::Field& field)
 void PackFacts::write(hid_t facts, bool with_times) const
 {
 	writeValues(facts, "Spans", H5T_NATIVE_DOUBLE, {spans_.size() / 4, 4}, spans_.data());
+	writeValues(facts, "LeastPositive", H5T_NATIVE_DOUBLE, {least_positive_.size()}, least_positive_.data());
 	if (changes_.empty())
 		return;
 	writeValues(facts, "Values", H5T_NATIVE_DOUBLE, {values_.size()}, values_.data());

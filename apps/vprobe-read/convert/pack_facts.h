@@ -20,7 +20,8 @@ public:
 	void write(hid_t group, bool with_times) const;
 
 private:
-	std::vector<double> spans_; // rows of four
+	std::vector<double> spans_;          // rows of four
+	std::vector<double> least_positive_; // for each of these rows
 	std::vector<double> values_;
 	std::vector<std::uint32_t> value_counts_; // for each time
 	std::vector<std::uint64_t> changes_;      // two for each time

@@ -1,3 +1,4 @@
+#include "listed_block.h"
 #include "seamed_sets.h"
 #include "sliced_sheet.h"
 #include "tries.h"
@@ -82,6 +83,13 @@ double volumeWithin(const mesh::SheetMesh& mesh)
 			       6.0;
 	}
 	return sum;
+}
+
+cut::CutRequest requestOf(const TestPlane& plane)
+{
+	cut::CutRequest request;
+	request.probe.sheets = {probe::makeSheet(plane.origin, plane.normal)};
+	return request;
 }
 
 std::vector<TestPlane> planesThrough(const grid::Block& block, unsigned seed)
@@ -202,6 +210,35 @@ TEST(Crinkle, HasNoHoleAtFacesWithSeveralNeighbors)
 		          });
 		EXPECT_EQ(made.mesh.polygons(), expected);
 	}
+}
+
+// Faces are then compared with each other.
+TEST(Crinkle, IsTheSameWithoutNeighbors)
+{
+	std::vector<grid::Block> lists = {listedBlock(hexahedraBlock(warped, 0.0, 2.0, false))}; // it meets itself
+	for (const grid::Block& block : allGrids())
+		if (std::holds_alternative<grid::UnstructuredGrid>(block.grid) && block.name != "three_on_a_face")
+			lists.push_back(listedBlock(block));
+	std::size_t faces = 0;
+	for (const grid::Block& list : lists)
+	{
+		const grid::BlockSet listed = setOf(list);
+		grid::BlockSet linked = listed;
+		grid::buildNeighbors(linked);
+		cut::Cutter scans(listed), searches(linked);
+		for (const TestPlane& plane : planesThrough(linked.blocks[0], 36))
+		{
+			const cut::Cut scanned = scans.cut(requestOf(plane)).value();
+			const cut::Cut searched = searches.cut(requestOf(plane)).value();
+			const mesh::SheetMesh here = scanned.crinkle(listed, 0), there = searched.crinkle(linked, 0);
+			EXPECT_EQ(here.polygons(), there.polygons()) << list.name;
+			EXPECT_EQ(here.positions.size(), there.positions.size()) << list.name;
+			EXPECT_NEAR(measure::measure(listed, here, {}).area, measure::measure(linked, there, {}).area, 1e-9)
+			    << list.name;
+			faces += here.polygons();
+		}
+	}
+	EXPECT_GT(faces, 1000u);
 }
 
 TEST(Crinkle, ClosesAcrossSeams)

@@ -331,6 +331,11 @@ std::vector<json> PackIndex::factsOf(const std::string& association, const std::
 		throw damaged(fmt::format("{} does not match its array", path));
 	std::vector<std::array<double, 4>> ends(rows.size());
 	rows.read(0, rows.size(), ends.data());
+	std::vector<double> least;
+	if (file_.isSet(path + "/LeastPositive"))
+		least = file_.reals(path + "/LeastPositive");
+	if (!least.empty() && least.size() != ends.size())
+		throw damaged(fmt::format("{} does not match its array", path));
 	const std::vector<PackedValues> values = valuesOf(path);
 	std::vector<json> of_times;
 	for (const std::size_t step : steps_)
@@ -345,6 +350,8 @@ std::vector<json> PackIndex::factsOf(const std::string& association, const std::
 			facts["spans"].push_back(
 			    {is_empty ? json() : json(lo), is_empty ? json() : json(hi), minus > 0.0, plus > 0.0});
 		}
+		if (!least.empty())
+			facts["least_positive"] = std::span(least).subspan(step * (components + 1), components + 1);
 		if (!values.empty())
 		{
 			facts["values"] = values[step].values;

@@ -37,7 +37,7 @@ Status RenderThread::takeNeighbors(bool needed)
 
 Status RenderThread::follow(const PictureRequest& wish)
 {
-	Status done = takeNeighbors(session::needsNeighbors(wish.spec) || wish.contour);
+	Status done = takeNeighbors(session::needsNeighbors(wish.spec, at_->session->blocks()) || wish.contour);
 	if (done)
 		done = followAll(wish);
 	if (!done)
