@@ -323,12 +323,19 @@ private:
 } // namespace
 
 template <class Surface>
-std::vector<std::uint32_t> runsMet(const grid::Block& block, const Surface& surface)
+std::vector<std::uint32_t> runsMet(const grid::Block& block, const Surface& surface, const seed::SheetWindow* window)
 {
-	if constexpr (surface::kIsCurved<Surface>)
-		if (const surface::BlockValues* of = surface.values())
-			return block.runs->holding(*of->field, of->component, of->value);
-	return block.runs->meeting(surface);
+	const auto find = [&]
+	{
+		if constexpr (surface::kIsCurved<Surface>)
+			if (const surface::BlockValues* of = surface.values())
+				return block.runs->holding(*of->field, of->component, of->value);
+		return block.runs->meeting(surface);
+	};
+	std::vector<std::uint32_t> met = find();
+	if (window)
+		std::erase_if(met, [&](std::uint32_t run) { return !window->meets(block.runs->runs()[run].box); });
+	return met;
 }
 
 template <class Surface>
@@ -336,11 +343,11 @@ Scan scanCells(const grid::Block& block, const Surface& surface, const seed::She
                const grid::CellFilter& filter)
 {
 	Scanner scanner(std::get<grid::UnstructuredGrid>(block.grid), block.bounds, surface, window, filter);
-	return block.runs ? scanner.scan(*block.runs, runsMet(block, surface)) : scanner.scan();
+	return block.runs ? scanner.scan(*block.runs, runsMet(block, surface, window)) : scanner.scan();
 }
 
-template std::vector<std::uint32_t> runsMet(const grid::Block&, const surface::Plane&);
-template std::vector<std::uint32_t> runsMet(const grid::Block&, const surface::BlockSurface&);
+template std::vector<std::uint32_t> runsMet(const grid::Block&, const surface::Plane&, const seed::SheetWindow*);
+template std::vector<std::uint32_t> runsMet(const grid::Block&, const surface::BlockSurface&, const seed::SheetWindow*);
 template Scan scanCells(const grid::Block&, const surface::Plane&, const seed::SheetWindow*, const grid::CellFilter&);
 template Scan scanCells(const grid::Block&, const surface::BlockSurface&, const seed::SheetWindow*,
                         const grid::CellFilter&);

@@ -27,10 +27,10 @@ struct Scan
 	std::vector<FlatFace> flat; // ascending by cell, then face
 };
 
-/// Returns the numbers of the runs of a block that a surface may meet, ascending: by their boxes, or by their values.
-/// The block must have runs.
+/// Returns the numbers of the runs of a block that a surface may meet in a window, ascending: by their boxes, or by
+/// their values. The block must have runs. window: null if there is none.
 template <class Surface>
-std::vector<std::uint32_t> runsMet(const grid::Block& block, const Surface& surface);
+std::vector<std::uint32_t> runsMet(const grid::Block& block, const Surface& surface, const seed::SheetWindow* window);
 
 /// Looks at every cell of an unstructured grid once, in the order of the cells, on all cores: first at the side on
 /// which each point lies, then at the cells whose points lie on both. No neighbors, seeds or marks are needed. Cells

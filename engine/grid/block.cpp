@@ -96,20 +96,24 @@ bool hasTimeInRuns(const BlockSet& blocks, std::size_t time)
 	return time < blocks.times.size() && std::ranges::all_of(blocks.blocks, hasIt);
 }
 
+void leaveFile(Block& block)
+{
+	auto whole = std::make_shared<WholeGrid>(*block.whole);
+	whole->parts = block.runs->use();
+	block.whole = std::move(whole);
+	block.runs.reset();
+	for (Field& field : block.fields)
+		field.is_in_runs = false;
+}
+
 void readAllParts(BlockSet& blocks)
 {
 	for (Block& block : blocks.blocks)
-	{
-		if (!block.runs)
-			continue;
-		block.runs->fetch(block.runs->all());
-		auto whole = std::make_shared<WholeGrid>(*block.whole);
-		whole->parts = block.runs->use();
-		block.whole = std::move(whole);
-		block.runs.reset();
-		for (Field& field : block.fields)
-			field.is_in_runs = false;
-	}
+		if (block.runs)
+		{
+			block.runs->fetch(block.runs->all());
+			leaveFile(block);
+		}
 }
 
 void startCountingParts(const BlockSet& blocks)

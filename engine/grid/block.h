@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -132,6 +133,12 @@ bool hasTimeInRuns(const BlockSet& blocks, std::size_t time);
 bool lacksParts(const BlockSet& blocks);
 /// Reads what is left in the file. Throws parts::Unreadable, and parts::Stopped.
 void readAllParts(BlockSet& blocks);
+/// Takes a block for whole whose cells were in the file. Its parts count as they were used until now.
+void leaveFile(Block& block);
+
+/// Returns a block like one that is left in its file, with the cells of some runs (ascending) alone, which know their
+/// neighbors among these. They were fetched. `bounds` stay those of the whole; the boundary is that of these cells.
+Block linkedRuns(const Block& block, std::span<const std::uint32_t> runs);
 
 /// Returns true if all blocks know their neighbors.
 bool hasNeighbors(const BlockSet& blocks);

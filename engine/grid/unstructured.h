@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace vp::grid
@@ -61,6 +62,10 @@ public:
 	// Preconditions (the reader checks them): ids within the points, types known, sizes right. Cells of dimension below
 	// three are left out and counted. Throws std::length_error past kMaxFaceSlots or kMaxBlockIds.
 	static UnstructuredGrid build(const Points& points, const CellList& cells, std::vector<FaceLink> links = {});
+
+	/// Links some cells of a listed grid, which has no polyhedra, as if there were no others. cells: their ids, each
+	/// once. sourceCell() and sourcePoint() return the numbers that the listed grid has. Throws as build() does.
+	static UnstructuredGrid buildPart(const UnstructuredGrid& listed, std::span<const CellId> cells);
 
 	std::size_t cellCount() const { return cell_count_; }
 	std::size_t pointCount() const { return points_.size(); }

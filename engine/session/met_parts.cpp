@@ -2,6 +2,7 @@
 
 #include "base/progress.h"
 #include "base/timeline.h"
+#include "contour/box_contour.h"
 #include "find/curved_sheet.h"
 #include "find/scan.h"
 #include "grid/least_positive.h"
@@ -22,12 +23,27 @@ namespace vp::session
 namespace
 {
 
-// Nothing but the sheets of a probe is shown.
+// Nothing but the sheets of a probe is shown, and what grows from them.
+bool showsSheetsAlone(const view::ViewSpec& spec)
+{
+	return !spec.probe.vectors.on() && spec.look.context.empty() && !view::replacesSheets(spec.probe.surface);
+}
+
 bool looksAtSheetsAlone(const view::ViewSpec& spec)
 {
-	const view::ProbeSpec& probe = spec.probe;
-	return !probe.threshold && !probe.vectors.on() && !spec.look.contour.isGiven() && spec.look.context.empty() &&
-	       !view::replacesSheets(probe.surface);
+	return showsSheetsAlone(spec) && !spec.probe.threshold && !spec.look.contour.isGiven();
+}
+
+// Points are where the file has them, values as it has them, and the CPU cuts.
+bool takesFileAsItIs(const view::ViewSpec& spec)
+{
+	return !spec.input.displace && spec.input.displace_by.empty() && !spec.input.cell_to_point &&
+	       !spec.machine.visited && spec.machine.classify != view::Classify::gpu;
+}
+
+bool hasForm(const probe::Sheet& sheet)
+{
+	return sheet.form.has_value();
 }
 
 } // namespace
@@ -43,9 +59,16 @@ bool meetsFewValues(const view::ViewSpec& spec)
 
 bool looksAtCutAlone(const view::ViewSpec& spec)
 {
-	return looksAtSheetsAlone(spec) && !needsNeighbors(spec) && !spec.input.displace &&
-	       spec.input.displace_by.empty() && !spec.input.cell_to_point && !spec.machine.visited &&
-	       spec.machine.classify != view::Classify::gpu;
+	return looksAtSheetsAlone(spec) && !needsNeighbors(spec) && takesFileAsItIs(spec);
+}
+
+bool looksNearPlanes(const view::ViewSpec& spec)
+{
+	const view::ProbeSpec& probe = spec.probe;
+	return showsSheetsAlone(spec) && takesFileAsItIs(spec) && !spec.machine.strategy &&
+	       std::holds_alternative<std::monostate>(probe.surface) &&
+	       !(probe.own && std::ranges::any_of(probe.own->probe.sheets, hasForm)) &&
+	       spec.look.color_by != view::ColorBy::generation && spec.look.outline != render::Outline::edges;
 }
 
 bool knowsLeastPositive(const grid::BlockSet& blocks)
@@ -59,12 +82,28 @@ bool looksAtCutAlone(const view::ViewSpec& spec, const grid::BlockSet& blocks)
 	return looksAtCutAlone(spec) && (!spec.look.logarithmic || knowsLeastPositive(blocks));
 }
 
-std::vector<std::vector<std::uint32_t>> runsMet(const grid::BlockSet& blocks, const cut::CutRequest& request)
+namespace
 {
-	std::vector<std::vector<std::uint32_t>> met(blocks.blocks.size());
+
+std::vector<std::uint32_t> joined(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b)
+{
+	std::vector<std::uint32_t> both;
+	std::ranges::set_union(a, b, std::back_inserter(both));
+	return both;
+}
+
+} // namespace
+
+RunsOfBlocks runsMet(const grid::BlockSet& blocks, const cut::CutRequest& request)
+{
+	RunsOfBlocks met(blocks.blocks.size());
 	const std::vector<probe::Sheet> sheets = probe::placed(request.probe).sheets;
 	for (std::size_t s = 0; s < sheets.size(); ++s)
 	{
+		const probe::Sheet content = probe::content(sheets[s]);
+		std::optional<seed::SheetWindow> window;
+		if (content.window)
+			window.emplace(content);
 		std::vector<surface::BlockSurface> surfaces;
 		if (sheets[s].form)
 			surfaces = find::surfacesOf(blocks, sheets[s], request.fieldOf(s));
@@ -73,14 +112,36 @@ std::vector<std::vector<std::uint32_t>> runsMet(const grid::BlockSet& blocks, co
 			if (!blocks.blocks[b].runs)
 				continue;
 			const std::vector<std::uint32_t> more =
-			    sheets[s].form ? find::runsMet(blocks.blocks[b], surfaces[b])
-			                   : find::runsMet(blocks.blocks[b], probe::content(sheets[s]).plane());
-			std::vector<std::uint32_t> joined;
-			std::ranges::set_union(met[b], more, std::back_inserter(joined));
-			met[b] = std::move(joined);
+			    sheets[s].form ? find::runsMet(blocks.blocks[b], surfaces[b], window ? &*window : nullptr)
+			                   : find::runsMet(blocks.blocks[b], content.plane(), window ? &*window : nullptr);
+			met[b] = joined(met[b], more);
 		}
 	}
 	return met;
+}
+
+RunsOfBlocks runsNear(const grid::BlockSet& blocks, const cut::CutRequest& request, const view::ContourSpec& contour)
+{
+	RunsOfBlocks near = runsMet(blocks, request);
+	if (!contour.isGiven())
+		return near;
+	// Without a window a box reaches as far as the sheet does. Nothing was cut yet, so it is taken for as wide as all.
+	mesh::SheetMesh widest;
+	const Box bounds = blocks.bounds();
+	for (int corner = 0; corner < 8; ++corner)
+		widest.positions.emplace_back((corner & 1 ? bounds.hi : bounds.lo).x, (corner & 2 ? bounds.hi : bounds.lo).y,
+		                              (corner & 4 ? bounds.hi : bounds.lo).z);
+	const auto depth = contour.depth > 0.0 ? std::optional(contour.depth) : std::nullopt;
+	for (const probe::Sheet& sheet : probe::placed(request.probe).sheets)
+	{
+		cut::SheetCut cut;
+		cut.sheet = probe::content(sheet);
+		const contour::ClipBox box = contour::boxOf(cut, contour::rectOf(cut, widest), depth);
+		for (std::size_t b = 0; b < near.size(); ++b)
+			if (const auto& runs = blocks.blocks[b].runs)
+				near[b] = joined(near[b], runs->meeting(box));
+	}
+	return near;
 }
 
 namespace
@@ -108,7 +169,7 @@ Result<bool> Session::changesBlocksFor(const FrameRequest& request) const
 	{ return !block.runs || !mustLetGo(*block.runs, block.runs->all()); };
 	if (std::ranges::all_of(blocks_.blocks, fitsWhole))
 		return false;
-	const std::vector<std::vector<std::uint32_t>> met = runsMet(blocks_, cutRequest(request));
+	const RunsOfBlocks met = runsMet(blocks_, cutRequest(request));
 	for (std::size_t b = 0; b < met.size(); ++b)
 		if (!fitsWhole(blocks_.blocks[b]) && mustLetGo(*blocks_.blocks[b].runs, met[b]))
 			return true;
@@ -124,7 +185,7 @@ Status Session::readParts(const FrameRequest& request, const std::stop_token& st
 	if (*lacks || !looksAtCutAlone(spec_, blocks_))
 		return readAllParts(stop);
 	const TimedSection section(timeline_.get(), "read");
-	const std::vector<std::vector<std::uint32_t>> met_of_blocks = runsMet(blocks_, cutRequest(request));
+	const RunsOfBlocks met_of_blocks = runsMet(blocks_, cutRequest(request));
 	for (std::size_t b = 0; b < blocks_.blocks.size(); ++b)
 	{
 		grid::Block& block = blocks_.blocks[b];
@@ -147,6 +208,46 @@ Status Session::readParts(const FrameRequest& request, const std::stop_token& st
 		++stamp_.cells; // an earlier frame may name cells that are not here
 	}
 	return Nothing{};
+}
+
+bool Session::mayLinkNear() const
+{
+	const auto isInRuns = [](const grid::Block& block) { return block.runs != nullptr; };
+	return is_for_one_frame_ && looksNearPlanes(spec_) && std::ranges::all_of(blocks_.blocks, isInRuns) &&
+	       (!spec_.look.logarithmic || knowsLeastPositive(blocks_));
+}
+
+// Takes the cells near the sheets for all there are. Returns false if these are so many that all may as well be read.
+Result<bool> Session::linkNear(const FrameRequest& request)
+{
+	const RunsOfBlocks near = runsNear(blocks_, cutRequest(request), spec_.look.contour);
+	std::size_t runs = 0, all = 0;
+	for (std::size_t b = 0; b < near.size(); ++b)
+	{
+		runs += near[b].size();
+		all += blocks_.blocks[b].runs->runs().size();
+	}
+	if (2 * runs > all)
+		return false;
+	{
+		const Progress progress("reading parts");
+		const TimedSection section(timeline_.get(), "read");
+		for (std::size_t b = 0; b < near.size(); ++b)
+		{
+			blocks_.blocks[b].runs->startCounting();
+			blocks_.blocks[b].runs->fetch(near[b]);
+		}
+	}
+	{
+		const Progress progress("finding neighbors");
+		const TimedSection section(timeline_.get(), "adjacency");
+		for (std::size_t b = 0; b < near.size(); ++b)
+			blocks_.blocks[b] = grid::linkedRuns(blocks_.blocks[b], near[b]);
+		grid::matchInterfaces(blocks_);
+	}
+	if (Status made = makeCutter(); !made)
+		return made.error();
+	return true;
 }
 
 Status Session::readAllParts(const std::stop_token& stop)

@@ -154,8 +154,9 @@ Result<grid::BlockSet> Session::readBlocks(const OpenOptions& options)
 		                   ? std::min(kept.budget(), kStaysAbove)
 		                   : kept.budget();
 	reading.stays_above = stays_above_;
-	reading.keeps_in_runs =
-	    options.ranks.holdsAll() && options.frames_alone && inputs_.size() == 1 && looksAtCutAlone(spec_);
+	is_for_one_frame_ = options.expect == Expect::one_cut && options.frames_alone && !options.time_may_change;
+	reading.keeps_in_runs = options.ranks.holdsAll() && options.frames_alone && inputs_.size() == 1 &&
+	                        (looksAtCutAlone(spec_) || (is_for_one_frame_ && looksNearPlanes(spec_)));
 	const bool needs_neighbors = options.expect == Expect::more || needsNeighbors(spec_);
 	reading.builds_neighbors = needs_neighbors && options.ranks.buildsWhileReading();
 	reading.for_one_cut = !needs_neighbors && options.expect == Expect::one_cut && servesOneCut(spec_);
@@ -204,7 +205,7 @@ try
 	const auto plan = session->plan({.expect = Expect::first_of_many});
 	const bool is_joined =
 	    !session->ranks_.buildsWhileReading() && (options.expect == Expect::more || needsNeighbors(session->spec_));
-	if (is_joined || (plan && plan->needs_neighbors))
+	if (!session->mayLinkNear() && (is_joined || (plan && plan->needs_neighbors)))
 		if (Status built = session->buildNeighbors(options.stop); !built)
 			return built.error();
 	return session;

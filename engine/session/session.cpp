@@ -261,7 +261,7 @@ bool resolveAlike(const view::ViewSpec& a, const view::ViewSpec& b)
 Status Session::set(view::ViewSpec spec)
 {
 	// Whoever draws by these settings may look at all values before there is a frame.
-	if (grid::lacksParts(blocks_) && !looksAtCutAlone(spec, blocks_))
+	if (grid::lacksParts(blocks_) && !looksAtCutAlone(spec, blocks_) && !(is_for_one_frame_ && looksNearPlanes(spec)))
 		if (Status read = readAllParts(); !read)
 			return read;
 	if (!cutAlike(spec_, spec))
@@ -372,12 +372,19 @@ Result<bool> Session::needsNeighborsFor(const FrameRequest& request) const
 
 Status Session::prepareFor(const FrameRequest& request, const std::stop_token& stop)
 {
+	Result<bool> lacks = needsNeighborsFor(request);
+	if (lacks && *lacks && grid::lacksParts(blocks_) && mayLinkNear())
+	{
+		const Result<bool> linked = linkNear(request);
+		if (!linked)
+			return linked.error();
+		lacks = !*linked;
+	}
+	if (!lacks)
+		return lacks.error();
 	if (grid::lacksParts(blocks_))
 		if (Status read = readParts(request, stop); !read)
 			return read;
-	const Result<bool> lacks = needsNeighborsFor(request);
-	if (!lacks)
-		return lacks.error();
 	return *lacks ? buildNeighbors(stop) : Nothing{};
 }
 

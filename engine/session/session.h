@@ -224,6 +224,8 @@ private:
 	Status buildNeighborsOfCopy();
 	Status prepareFor(const FrameRequest& request, const std::stop_token& stop);
 	Status readParts(const FrameRequest& request, const std::stop_token& stop);
+	bool mayLinkNear() const;
+	Result<bool> linkNear(const FrameRequest& request);
 	const Frame* usableLast(const FrameRequest& request) const;
 	Result<cut::Cut> find(const FrameRequest& request, const Frame* last, const std::stop_token& stop);
 	Result<cut::Cut> cut(const FrameRequest& request, std::shared_ptr<const cut::Cut> last, std::stop_token stop);
@@ -235,7 +237,8 @@ private:
 	bool is_resolved_ = false; // the view is that of the settings
 	grid::BlockSet blocks_;
 	std::vector<CategoryArray> categories_;
-	bool reads_all_arrays_ = true;               // read all arrays whenever the inputs are read
+	bool reads_all_arrays_ = true; // read all arrays whenever the inputs are read
+	bool is_for_one_frame_ = false;
 	std::optional<std::uint64_t> stays_above_{}; // bytes of an array that may stay in its file
 	std::vector<std::string> follow_;
 	std::shared_ptr<read::ReadyReaders> ready_; // for inputs of many files or times

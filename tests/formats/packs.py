@@ -7,7 +7,8 @@ import against
 from against import VPROBE, info, mixed_mesh, need, tried, vprobe
 
 # Counts of the search, and what tells one file from the other.
-OWN = {'cells_scanned', 'cells_touched', 'cells_walked', 'tree_tests', 'boundary_tests', 'seeds', 'hops'}
+OWN = {'cells_scanned', 'cells_touched', 'cells_walked', 'tree_tests', 'boundary_tests', 'seeds', 'hops',  # of the search
+       'generations', 'front_max'}
 
 CUTS = (['--normal', '0.3', '0.5', '0.81'], ['--normal', '1', '0', '0', '--origin', '1.5', '0.4', '4'],
         ['--normal', '0', '0', '1', '--origin', '0', '0', '4'],
@@ -84,9 +85,33 @@ def packs_read_what_is_cut(folder):
     """A thin layer of a box meets few of its parts."""
     pack = folder / 'box.vtkhdf'
     vprobe('pack', 'demo:tets:16', '-o', pack, '--part', '256')
-    for options in ([], ['--crinkle']):
+    for options, share in (([], 0.7), (['--crinkle'], 0.7), (['--window', '0.5', '0.4'], 0.3)):
         told = same_figures('demo:tets:16', pack, ['--normal', '1', '2', '3', *options], folder)
-        assert told['met'] < 0.7 * told['all'] and told['bytes_read'] < 0.9 * pack.stat().st_size, told
+        assert told['met'] < share * told['all'] and told['bytes_read'] < 0.9 * pack.stat().st_size, told
+
+
+def contours_of(path, options, stats):
+    own = {'seeds', 'generations', 'cells_touched'}  # of the search
+    return [{k: v for k, v in each.items() if k not in own} for each in figures(path, options, stats)[1]['contours']]
+
+
+def packs_find_neighbors_near_sheets(folder):
+    """A threshold, seeds and contours need the neighbors of the cells near the sheet, and no others."""
+    pack = folder / 'box.vtkhdf'
+    vprobe('pack', 'demo:tets:16', '-o', pack, '--part', '64')
+    searched = (['--threshold', '-0.2', '0.4'], ['--threshold', '-0.2', '0.4', '--crinkle'], ['--seeds', 'boundary'],
+                ['--outside', 'report'], ['--contour', '0.2', '0.3', '--contour-depth', '0.1'],
+                ['--contour-at', '0.5', '0.5'])
+    sheets = (['--normal', '1', '2', '3'], ['--normal', '0', '0', '1', '--origin', '0', '0', '0.5'],
+              ['--normal', '1', '2', '3', '--window', '0.5', '0.4'])
+    for sheet in tried(sheets):
+        for options in searched:
+            cut = [*sheet, *options]
+            wide = '--contour-at' in cut and '--window' not in cut  # its box reaches far
+            told = same_figures('demo:tets:16', pack, cut, folder)
+            assert wide or told['read'] < 0.8 * told['all'], (cut, told)
+            wanted, got = (contours_of(each, cut, folder / 's.json') for each in ('demo:tets:16', pack))
+            assert all(same(a[key], b[key]) for a, b in zip(wanted, got, strict=True) for key in a), (cut, wanted, got)
 
 
 def swept(path, folder, *options):
@@ -152,8 +177,8 @@ def packs_show_one_value(folder):
 def packs_are_whole_where_that_is_asked(folder):
     """What looks beyond the cut cells reads all parts, as all other commands do."""
     path, pack = packed(folder, '--part', '64')
-    for options in (['--threshold', '30', '400'], ['--strategy', 'cells'],
-                    ['--seeds', 'boundary'], ['--cell-to-point', '--array', 'g']):
+    for options in (['--strategy', 'cells'], ['--cell-to-point', '--array', 'g'],
+                    ['--surface', 'sphere:1.5', '--threshold', '30', '400']):
         done = [subprocess.run([VPROBE, 'slice', each, *options, '--stats', folder / 's.json'], capture_output=True,
                                encoding='utf-8') for each in (path, pack)]
         assert [each.returncode for each in done] == [0, 0], done
@@ -437,7 +462,7 @@ def packing_refuses(folder):
         assert not (folder / 'a.vtkhdf').exists()
 
 
-CASES = [packs_are_cut_as_their_inputs, packs_read_what_is_cut, packs_are_swept_as_their_inputs, packs_show_one_value,
+CASES = [packs_are_cut_as_their_inputs, packs_read_what_is_cut, packs_find_neighbors_near_sheets, packs_are_swept_as_their_inputs, packs_show_one_value,
          packs_are_whole_where_that_is_asked, packs_look_like_their_inputs, packs_take_logarithms,
          packs_tell_cells_that_are_left_out,
          packs_keep_what_is_odd, packs_are_converted_and_packed_again, arrays_that_become_alike_are_kept,

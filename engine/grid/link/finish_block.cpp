@@ -104,6 +104,22 @@ void finishBlock(Block& block, bool for_one_cut)
 	    block.grid);
 }
 
+Block linkedRuns(const Block& block, std::span<const std::uint32_t> runs)
+{
+	std::vector<CellId> cells;
+	for (const std::uint32_t number : runs)
+	{
+		const CellRuns::Run& run = block.runs->runs()[number];
+		for (std::uint32_t c = 0; c < run.cells; ++c)
+			cells.push_back(static_cast<CellId>(run.first_cell + c));
+	}
+	Block part = block;
+	part.grid = UnstructuredGrid::buildPart(std::get<UnstructuredGrid>(block.grid), cells);
+	leaveFile(part);
+	finishBlock(part);
+	return part;
+}
+
 void buildNeighbors(BlockSet& blocks, bool for_one_cut)
 {
 	if (for_one_cut ? hasNeighbors(blocks) : isComplete(blocks))

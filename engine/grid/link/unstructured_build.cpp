@@ -4,8 +4,13 @@
 #include "grid/link/for_ranges.h"
 #include "grid/unstructured.h"
 
+#include <bit>
+#include <limits>
 #include <memory>
+#include <span>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace vp::grid
 {
@@ -27,6 +32,43 @@ Points gathered(const Points& points, const HugeVector<std::uint32_t>& order)
 	          });
 	return Points(Array<Number>(xyz, numbers, 3 * order.size()));
 }
+
+// Numbers the points of some cells in the order that they have among all.
+class PartOfPoints
+{
+public:
+	PartOfPoints(const UnstructuredGrid& listed, std::span<const CellId> cells)
+	    : bits_(listed.pointCount() / kBits + 1, 0), before_(bits_.size(), 0)
+	{
+		for (const CellId cell : cells)
+			listed.list()->forEachPoint(
+			    cell,
+			    [&](std::int64_t p) { bits_[static_cast<std::size_t>(p) / kBits] |= std::uint64_t(1) << p % kBits; });
+		for (std::size_t word = 0; word < bits_.size(); ++word)
+		{
+			before_[word] = static_cast<std::uint32_t>(chosen_.size());
+			for (std::uint64_t left = bits_[word]; left != 0; left &= left - 1)
+				chosen_.push_back(static_cast<std::uint32_t>(word * kBits + std::countr_zero(left)));
+		}
+		if (chosen_.size() > std::numeric_limits<std::int32_t>::max())
+			throw std::length_error("a part of a block holds at most 2147483647 points");
+	}
+
+	const HugeVector<std::uint32_t>& chosen() const { return chosen_; } // ascending
+	std::int32_t rank(std::int64_t point) const
+	{
+		const std::size_t word = static_cast<std::size_t>(point) / kBits;
+		const std::uint64_t below = bits_[word] & ((std::uint64_t(1) << point % kBits) - 1);
+		return static_cast<std::int32_t>(before_[word]) + std::popcount(below);
+	}
+
+private:
+	static constexpr std::size_t kBits = 64;
+
+	std::vector<std::uint64_t> bits_;   // one for each point of the grid
+	std::vector<std::uint32_t> before_; // those of the part before each word
+	HugeVector<std::uint32_t> chosen_;
+};
 
 } // namespace
 
@@ -236,6 +278,33 @@ UnstructuredGrid UnstructuredGrid::listedInRuns(Points points, CellList cells)
 	grid.used_points_ = grid.source_point_count_ = points.size();
 	grid.points_ = std::move(points);
 	grid.list_ = std::make_shared<const CellList>(std::move(cells));
+	return grid;
+}
+
+UnstructuredGrid UnstructuredGrid::buildPart(const UnstructuredGrid& listed, std::span<const CellId> cells)
+{
+	const CellList& all = *listed.list();
+	const PartOfPoints points(listed, cells);
+	CellList part;
+	std::vector<std::uint8_t> types;
+	std::vector<std::int64_t> offsets{0}, sources(cells.begin(), cells.end());
+	std::vector<std::int32_t> ids;
+	for (const CellId cell : cells)
+	{
+		types.push_back(all.types[cell]);
+		all.forEachPoint(cell, [&](std::int64_t p) { ids.push_back(points.rank(p)); });
+		offsets.push_back(static_cast<std::int64_t>(ids.size()));
+	}
+	part.types = std::move(types);
+	part.offsets = std::move(offsets);
+	part.connectivity = std::move(ids);
+	part.source_cells = std::move(sources);
+	UnstructuredGrid grid = build(listed.points_.isDouble() ? gathered<double>(listed.points_, points.chosen())
+	                                                        : gathered<float>(listed.points_, points.chosen()),
+	                              part);
+	for (std::uint32_t& source : grid.source_points_)
+		source = points.chosen()[source];
+	grid.source_point_count_ = listed.source_point_count_;
 	return grid;
 }
 

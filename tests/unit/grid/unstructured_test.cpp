@@ -1,10 +1,14 @@
 #include "grid/unstructured.h"
+#include "listed_block.h"
 #include "test_grids.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
+#include <set>
+#include <utility>
+#include <vector>
 
 namespace vp::grid
 {
@@ -39,6 +43,64 @@ TEST(Unstructured, RenumbersOntoItself)
 		std::ranges::sort(cells);
 		EXPECT_EQ(std::ranges::adjacent_find(cells), cells.end()) << block.name;
 	}
+}
+
+// Pairs of cells that are neighbors, by the numbers of the source.
+std::set<std::pair<std::size_t, std::size_t>> neighborsOf(const UnstructuredGrid& grid)
+{
+	std::set<std::pair<std::size_t, std::size_t>> pairs;
+	for (CellId c = 0; c < grid.cellCount(); ++c)
+		for (int f = 0; f < grid.faceCount(c); ++f)
+			grid.forEachNeighbor(c, f, [&](CellId n) { pairs.emplace(grid.sourceCell(c), grid.sourceCell(n)); });
+	return pairs;
+}
+
+TEST(Unstructured, PartIsLinkedAsTheWholeIs)
+{
+	std::mt19937 random(11);
+	std::size_t grids = 0;
+	for (const Block& block : test::allGrids())
+	{
+		const auto* grid = std::get_if<UnstructuredGrid>(&block.grid);
+		if (!grid || grid->hasLinks())
+			continue;
+		const Block list = test::listedBlock(block);
+		const auto& listed = std::get<UnstructuredGrid>(list.grid);
+		if (!listed.list()->face_stream.empty())
+			continue;
+		++grids;
+		const UnstructuredGrid whole = UnstructuredGrid::build(listed.coordinates(), *listed.list());
+		std::vector<CellId> cells;
+		for (CellId c = 0; c < listed.cellCount(); ++c)
+			if (random() % 3 != 0)
+				cells.push_back(c);
+		const UnstructuredGrid part = UnstructuredGrid::buildPart(listed, cells);
+		ASSERT_EQ(part.cellCount(), cells.size()) << block.name;
+		EXPECT_EQ(part.sourcePointCount(), whole.sourcePointCount());
+		EXPECT_FALSE(part.splitsCells());
+		std::set<std::size_t> points;
+		for (CellId c = 0; c < part.cellCount(); ++c)
+		{
+			const auto source = static_cast<CellId>(part.sourceCell(c));
+			EXPECT_TRUE(std::ranges::binary_search(cells, source)) << block.name;
+			EXPECT_EQ(part.shape(c), listed.shape(source));
+			const std::vector<std::size_t> ids = sourceIds(part, c), wanted = sourceIds(listed, source);
+			EXPECT_EQ(ids, wanted) << block.name;
+			points.insert(ids.begin(), ids.end());
+		}
+		EXPECT_EQ(points.size(), part.pointCount()) << block.name; // and no others
+		for (PointId p = 0; p < part.pointCount(); ++p)
+			EXPECT_EQ(part.point(p), listed.point(static_cast<PointId>(part.sourcePoint(p))));
+		auto wanted = neighborsOf(whole);
+		std::erase_if(wanted,
+		              [&](const auto& pair)
+		              {
+			              return !std::ranges::binary_search(cells, static_cast<CellId>(pair.first)) ||
+			                     !std::ranges::binary_search(cells, static_cast<CellId>(pair.second));
+		              });
+		EXPECT_EQ(neighborsOf(part), wanted) << block.name;
+	}
+	EXPECT_GE(grids, 3u);
 }
 
 TEST(Unstructured, LeavesFlatCellsOutAndSkipsForeignOnes)
