@@ -46,7 +46,7 @@ TEST(Unstructured, RenumbersOntoItself)
 }
 
 // Pairs of cells that are neighbors, by the numbers of the source.
-std::set<std::pair<std::size_t, std::size_t>> neighborsOf(const UnstructuredGrid& grid)
+std::set<std::pair<std::size_t, std::size_t>> pairsOfNeighbors(const UnstructuredGrid& grid)
 {
 	std::set<std::pair<std::size_t, std::size_t>> pairs;
 	for (CellId c = 0; c < grid.cellCount(); ++c)
@@ -91,14 +91,14 @@ TEST(Unstructured, PartIsLinkedAsTheWholeIs)
 		EXPECT_EQ(points.size(), part.pointCount()) << block.name; // and no others
 		for (PointId p = 0; p < part.pointCount(); ++p)
 			EXPECT_EQ(part.point(p), listed.point(static_cast<PointId>(part.sourcePoint(p))));
-		auto wanted = neighborsOf(whole);
+		auto wanted = pairsOfNeighbors(whole);
 		std::erase_if(wanted,
 		              [&](const auto& pair)
 		              {
 			              return !std::ranges::binary_search(cells, static_cast<CellId>(pair.first)) ||
 			                     !std::ranges::binary_search(cells, static_cast<CellId>(pair.second));
 		              });
-		EXPECT_EQ(neighborsOf(part), wanted) << block.name;
+		EXPECT_EQ(pairsOfNeighbors(part), wanted) << block.name;
 	}
 	EXPECT_GE(grids, 3u);
 }
