@@ -1,6 +1,9 @@
 #include "synthetic_scene.h"
 
 #include <cmath>
+#include <cstdint>
+#include <set>
+#include <vector>
 
 namespace vp::render::test
 {
@@ -69,6 +72,31 @@ TEST_F(Unchanged, AMovedSheetIsOneLayer)
 	scene.sheets[0].records = nullptr;
 	EXPECT_EQ(layersFor(scene), 1u);
 	EXPECT_EQ(layersFor(scene), 0u);
+}
+
+// Pipelines of looks that were not seen for long are forgotten, and made again.
+TEST_F(Unchanged, ManyLooksLeaveNoTrace)
+{
+	Scene scene = threeSheets();
+	scene.values->lo = 0.1;
+	scene.values->log_lo = 0.1;
+	std::vector<Scene> looks;
+	for (int kind = 0; kind < 16; ++kind)
+		for (std::size_t sheets = 1; sheets <= 2; ++sheets)
+		{
+			Scene& look = looks.emplace_back(scene);
+			look.sheets.resize(sheets);
+			look.look.lines = kind & 1 ? 5 : 0;
+			look.look.bands = kind & 2 ? 4 : 0;
+			look.look.mesh = (kind & 4) != 0;
+			look.look.logarithmic = (kind & 8) != 0;
+		}
+	std::vector<std::vector<std::uint8_t>> pictures;
+	for (const Scene& look : looks)
+		pictures.push_back(draw(look).rgba);
+	EXPECT_GT(std::set(pictures.begin(), pictures.end()).size(), looks.size() / 2); // they are different
+	for (const std::size_t again : {0, 1, 2, 20, 31})
+		EXPECT_TRUE(draw(looks[again]).rgba == pictures[again]) << again;
 }
 
 TEST_F(Unchanged, RecordsThatAreGoneAreNotTakenForOthers)

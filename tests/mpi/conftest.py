@@ -10,7 +10,7 @@ import pytest
 
 # What docs/CLUSTER.md lists as dependent on how blocks were dealt out; and times, and what only one program tells.
 DEPENDENT = {'ms', 'ranks', 'plan', 'device', 'seeds', 'hops', 'boundary_tests', 'tree_tests', 'hot_spot_inside',
-             'generations', 'front_max', 'cells_touched'}
+             'generations', 'front_max', 'cells_touched', 'cells_scanned'}
 
 
 def pytest_collection_modifyitems(config, items):

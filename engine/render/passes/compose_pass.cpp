@@ -49,6 +49,7 @@ Result<ComposePass> ComposePass::create(gpu::Device& device)
 	if (!first)
 		return first.error();
 	pass.sets_ = gpu::DescriptorSets(device, (*first)->everywhere, "compose");
+	(*first)->lends_layout = true;
 	gpu::GraphicsPipelineInfo resolve;
 	resolve.vertex_shader = "render_full.vert";
 	resolve.fragment_shader = "render_resolve.frag";
@@ -69,11 +70,27 @@ Result<ComposePass> ComposePass::create(gpu::Device& device)
 	return pass;
 }
 
-Result<const ComposePass::Pipelines*> ComposePass::pipelinesFor(std::size_t layers, std::uint32_t features,
-                                                                bool surfaces, const Edges& edges)
+// Someone who tries out all settings would gather hundreds, of a megabyte or more each.
+void ComposePass::forgetOldPipelines()
+{
+	constexpr std::size_t most = 32;
+	while (pipelines_.size() > most)
+	{
+		auto oldest = pipelines_.end();
+		for (auto each = pipelines_.begin(); each != pipelines_.end(); ++each)
+			if (!each->second.lends_layout &&
+			    (oldest == pipelines_.end() || each->second.last_scene < oldest->second.last_scene))
+				oldest = each;
+		pipelines_.erase(oldest);
+	}
+}
+
+Result<ComposePass::Pipelines*> ComposePass::pipelinesFor(std::size_t layers, std::uint32_t features, bool surfaces,
+                                                          const Edges& edges)
 {
 	const std::uint32_t slots = *std::find_if(kSlots.begin(), kSlots.end(), [&](auto s) { return s >= layers; });
 	Pipelines& pipelines = pipelines_[{slots, features, surfaces}];
+	pipelines.last_scene = scenes_;
 	for (const bool at_edges : {false, true})
 	{
 		gpu::Pipeline& pipeline = at_edges ? pipelines.at_edges : pipelines.everywhere;
@@ -143,7 +160,10 @@ Result<gpu::Pipeline> ComposePass::makePipeline(std::uint32_t slots, std::uint32
 Result<VkDescriptorSet> ComposePass::compositionSet(const Targets& targets, const SurfaceTargets* surfaces)
 {
 	if (surfaces && !surface_sets_)
+	{
 		surface_sets_.emplace(*device_, pipelines_in_use_->everywhere, "compose surfaces");
+		pipelines_in_use_->lends_layout = true;
+	}
 	auto set = surfaces ? surface_sets_->get(0) : sets_.get(0);
 	if (!set)
 		return set;
@@ -165,6 +185,9 @@ Result<VkDescriptorSet> ComposePass::compositionSet(const Targets& targets, cons
 Status ComposePass::prepare(const Scene& scene, const Targets& targets, const SurfaceTargets* surfaces,
                             const Edges& edges)
 {
+	// What was prepared before has been drawn.
+	++scenes_;
+	forgetOldPipelines();
 	const ComposeParams made = composeParams(scene, targets.part());
 	if (Status room = makeRoom(*device_, params_, sizeof(shared::ComposeParams), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
 	                           "compose parameters");
@@ -221,7 +244,10 @@ Status ComposePass::prepareRegions(const Scene& scene, const Targets& targets, s
 Status ComposePass::writeQuadsSet(const Targets& targets, const EdgeQuads& quads)
 {
 	if (!quads_sets_)
+	{
 		quads_sets_.emplace(*device_, pipelines_in_use_->quads, "compose at edges");
+		pipelines_in_use_->lends_layout = true;
+	}
 	auto set = quads_sets_->get(0);
 	if (!set)
 		return set.error();

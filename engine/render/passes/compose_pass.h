@@ -67,14 +67,16 @@ private:
 	struct Pipelines
 	{
 		gpu::Pipeline everywhere;
-		gpu::Pipeline at_edges; // if there is a mask
-		gpu::Pipeline quads;    // or quads
+		gpu::Pipeline at_edges;       // if there is a mask
+		gpu::Pipeline quads;          // or quads
+		std::uint64_t last_scene = 0; // for which they were used
+		bool lends_layout = false;    // to descriptor sets
 	};
-	// Made on first use; the pointer stays valid.
-	Result<const Pipelines*> pipelinesFor(std::size_t layers, std::uint32_t features, bool surfaces,
-	                                      const Edges& edges);
+	// Made on first use; the pointer stays valid while the scene is the last one.
+	Result<Pipelines*> pipelinesFor(std::size_t layers, std::uint32_t features, bool surfaces, const Edges& edges);
 	Result<gpu::Pipeline> makePipeline(std::uint32_t slots, std::uint32_t features, bool surfaces, bool at_edges) const;
 	Result<gpu::Pipeline> makeQuadsPipeline(std::uint32_t slots, std::uint32_t features) const;
+	void forgetOldPipelines();
 	Status prepareRegions(const Scene& scene, const Targets& targets, std::uint32_t features, const Edges& edges);
 	Status writeQuadsSet(const Targets& targets, const EdgeQuads& quads);
 	Status writeResolveSet(const Targets& targets, const EdgeMask* mask);
@@ -83,6 +85,7 @@ private:
 	Result<VkDescriptorSet> compositionSet(const Targets& targets, const SurfaceTargets* surfaces);
 
 	std::map<std::tuple<std::uint32_t, std::uint32_t, bool>, Pipelines> pipelines_; // by slots, features, surfaces
+	std::uint64_t scenes_ = 0;                                                      // prepared so far
 	// The scene prepared last: the pipelines that draw all its sheets, and its regions.
 	struct Region
 	{
@@ -90,7 +93,7 @@ private:
 		const Pipelines* pipelines;
 		shared::ComposePush push;
 	};
-	const Pipelines* pipelines_in_use_ = nullptr;
+	Pipelines* pipelines_in_use_ = nullptr;
 	shared::ComposePush all_sheets_{};
 	std::vector<Region> regions_;
 	gpu::Pipeline resolve_;
