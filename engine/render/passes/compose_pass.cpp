@@ -185,7 +185,7 @@ Result<VkDescriptorSet> ComposePass::compositionSet(const Targets& targets, cons
 Status ComposePass::prepare(const Scene& scene, const Targets& targets, const SurfaceTargets* surfaces,
                             const Edges& edges)
 {
-	// What was prepared before has been drawn.
+	// The picture that was prepared before has been drawn.
 	++scenes_;
 	forgetOldPipelines();
 	const ComposeParams made = composeParams(scene, targets.part());
