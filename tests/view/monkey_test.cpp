@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <random>
 
 namespace view
@@ -139,25 +140,34 @@ TEST_P(MonkeyAtTheWindow, DoesNoHarm)
 	RecordProperty("seed", static_cast<int>(seed));
 	std::printf("VPROBE_MONKEY_SEED=%u repeats this\n", seed);
 	Monkey monkey(seed);
-	open({"demo:shell:32", "--normal", "0.3", "0.5", "0.8"});
+	const cli::Arguments input{"demo:shell:32", "--normal", "0.3", "0.5", "0.8"};
+	open(input);
 	constexpr int kDeeds = 60;
 	const auto start = std::chrono::steady_clock::now();
 	const auto passed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
 	std::size_t warm = 0;
+	double warm_from = 0.4 * GetParam();
 	do
 	{
 		xdotool(monkey.script(kDeeds));
+		if (!program().runs()) // it has found Quit in the menu
+		{
+			ASSERT_EQ(program().waitFor(kPatience), 0) << err();
+			std::filesystem::remove(path("commands"));
+			open(input);
+			warm = 0;
+			warm_from = passed() + 0.4 * (GetParam() - passed());
+		}
 		const glm::ivec2 size = monkey.size();
 		xdotool("windowsize " + window() + " " + std::to_string(size.x) + " " + std::to_string(size.y) + "\n");
-		ASSERT_TRUE(program().runs()) << err();
-		if (warm == 0 && passed() > 0.4 * GetParam())
+		if (warm == 0 && passed() > warm_from)
 			warm = program().residentBytes();
 	} while (passed() < GetParam());
 
 	// It answers. (Nobody waits for it to rest: a sweep may be playing.)
 	EXPECT_TRUE(state().is_object());
 	const std::size_t after = program().residentBytes();
-	EXPECT_LT(after, warm + kMaxGrowth) << "memory grew from " << warm << " to " << after << " bytes";
+	EXPECT_TRUE(warm == 0 || after < warm + kMaxGrowth) << "memory grew from " << warm << " to " << after << " bytes";
 	std::printf("resident: %zu MiB after the warm-up, %zu MiB at the end\n", warm >> 20, after >> 20);
 	close(err()); // what a key could not do is told
 }
