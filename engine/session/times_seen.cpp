@@ -1,8 +1,8 @@
 #include "session/times_seen.h"
 
 #include "base/progress.h"
-#include "grid/least_positive.h"
 #include "ranks/data/share.h"
+#include "session/met_parts.h"
 #include "session/time_steps.h"
 #include "session/value_scale.h"
 
