@@ -210,11 +210,18 @@ Status Session::readParts(const FrameRequest& request, const std::stop_token& st
 	return Nothing{};
 }
 
+// Returns true if the settings look at nothing but what frames read, also before there is a frame.
+bool Session::doesWithParts(const view::ViewSpec& spec) const
+{
+	return looksAtCutAlone(spec, blocks_) ||
+	       (is_for_one_frame_ && looksNearPlanes(spec) && (!spec.look.logarithmic || knowsLeastPositive(blocks_)));
+}
+
 bool Session::mayLinkNear() const
 {
 	const auto isInRuns = [](const grid::Block& block) { return block.runs != nullptr; };
-	return is_for_one_frame_ && looksNearPlanes(spec_) && std::ranges::all_of(blocks_.blocks, isInRuns) &&
-	       (!spec_.look.logarithmic || knowsLeastPositive(blocks_));
+	return doesWithParts(spec_) && looksNearPlanes(spec_) && is_for_one_frame_ &&
+	       std::ranges::all_of(blocks_.blocks, isInRuns);
 }
 
 // Takes the cells near the sheets for all there are. Returns false if these are so many that all may as well be read.

@@ -202,6 +202,9 @@ try
 	}
 	if (Status made = session->makeCutter(); !made)
 		return made.error();
+	if (grid::lacksParts(session->blocks_) && !session->doesWithParts(session->spec_))
+		if (Status read = session->readAllParts(options.stop); !read)
+			return read.error();
 	const auto plan = session->plan({.expect = Expect::first_of_many});
 	const bool is_joined =
 	    !session->ranks_.buildsWhileReading() && (options.expect == Expect::more || needsNeighbors(session->spec_));

@@ -261,7 +261,7 @@ bool resolveAlike(const view::ViewSpec& a, const view::ViewSpec& b)
 Status Session::set(view::ViewSpec spec)
 {
 	// Whoever draws by these settings may look at all values before there is a frame.
-	if (grid::lacksParts(blocks_) && !looksAtCutAlone(spec, blocks_) && !(is_for_one_frame_ && looksNearPlanes(spec)))
+	if (grid::lacksParts(blocks_) && !doesWithParts(spec))
 		if (Status read = readAllParts(); !read)
 			return read;
 	if (!cutAlike(spec_, spec))

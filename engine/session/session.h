@@ -224,6 +224,7 @@ private:
 	Status buildNeighborsOfCopy();
 	Status prepareFor(const FrameRequest& request, const std::stop_token& stop);
 	Status readParts(const FrameRequest& request, const std::stop_token& stop);
+	bool doesWithParts(const view::ViewSpec& spec) const;
 	bool mayLinkNear() const;
 	Result<bool> linkNear(const FrameRequest& request);
 	const Frame* usableLast(const FrameRequest& request) const;

@@ -3,7 +3,7 @@ import subprocess
 import time
 
 from against import VPROBE, Missing, vprobe
-from packs import packed, packs_are_swept_as_their_inputs
+from packs import older, packed, packs_are_swept_as_their_inputs
 
 
 def need_device(folder):
@@ -37,12 +37,15 @@ def packs_are_drawn_as_their_inputs(folder):
     """The camera sees the same, although it has not met most points."""
     need_device(folder)
     path, pack = packed(folder, '--part', '64')
-    pictures = []
-    for each in (path, pack):
-        out = folder / f'{each.suffix}.png'
-        vprobe('render', each, '--probe', 'trihedral', '--array', 'v', '--size', '320x240', '--title', '', '-o', out)
-        pictures.append(out.read_bytes())
-    assert pictures[0] == pictures[1]
+    sheet = ['--normal', '0', '0', '1', '--origin', '0', '0', '1', '--array', 'f']
+    for options in (['--probe', 'trihedral', '--array', 'v'], [*sheet, '--log'], [*sheet, '--crinkle'],
+                    [*sheet, '--threshold', '20', '60'], [*sheet, '--window', '1', '0.8', '--contour-at', '0.5', '0.5']):
+        pictures = []
+        for each in (path, pack, older(pack, folder)):
+            out = folder / 'drawn.png'
+            vprobe('render', each, *options, '--size', '320x240', '--title', '', '-o', out)
+            pictures.append(out.read_bytes())
+        assert pictures[0] == pictures[1] == pictures[2], options
 
 
 CASES = [packs_are_swept_and_drawn, packs_that_change_in_a_sweep_are_told, packs_are_drawn_as_their_inputs]

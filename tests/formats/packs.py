@@ -204,15 +204,20 @@ def packs_look_like_their_inputs(folder):
         assert pictures[0] == pictures[1], array
 
 
-def packs_take_logarithms(folder):
-    """A logarithmic scale begins at the least value above 0, wherever that lies. Old packs do not tell it."""
-    h5py = need('h5py')
-    path, pack = packed(folder, '--part', '64')
+def older(pack, folder):
+    """Returns a pack like this one that does not tell the least values above 0."""
     old = folder / 'old.vtkhdf'
     shutil.copy(pack, old)
-    with h5py.File(old, 'r+') as file:
+    with need('h5py').File(old, 'r+') as file:
         for array in (*file['vprobe/PointData'].values(), *file['vprobe/CellData'].values()):
             del array['LeastPositive']
+    return old
+
+
+def packs_take_logarithms(folder):
+    """A logarithmic scale begins at the least value above 0, wherever that lies. Old packs do not tell it."""
+    path, pack = packed(folder, '--part', '64')
+    old = older(pack, folder)
     for array in ('f', 'v', 'material'):
         scales, reads = [], []
         for each in (path, pack, old):
