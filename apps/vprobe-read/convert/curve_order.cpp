@@ -79,7 +79,7 @@ HugeVector<CellOnCurve> alongCurve(std::size_t cells, const PlacesOnCurve& place
 	          [&](std::size_t bucket, arrays::Scratch&)
 	          {
 		          const std::size_t begin = bucket == 0 ? 0 : ends[bucket - 1];
-		          std::sort(&sorted[0] + begin, &sorted[0] + ends[bucket],
+		          std::sort(sorted.data() + begin, sorted.data() + ends[bucket],
 		                    [](const CellOnCurve& a, const CellOnCurve& b)
 		                    { return a.place != b.place ? a.place < b.place : a.cell < b.cell; });
 	          });
