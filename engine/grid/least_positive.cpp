@@ -8,7 +8,6 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace vp::grid
