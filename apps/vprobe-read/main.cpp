@@ -221,6 +221,7 @@ int run(int argc, char** argv)
 			request.stamp = stampOf(request.file);
 		formats::readAnyFormat(request, manifest);
 		manifest.refuseOtherLevel(request.level);
+		request.said = manifest.warnings();
 		manifest.setSandbox(door::holdText(hold));
 		for (std::string& refused : refusedFiles())
 			manifest.warn(std::move(refused));

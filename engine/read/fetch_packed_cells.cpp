@@ -176,10 +176,10 @@ void PackedCells::addCells(const Missing& missing, Extents& to) const
 
 void PackedCells::addValues(const Missing& missing, std::size_t time, Extents& to) const
 {
-	if (isIndex())
-		return; // pages are known when their rows are
 	for (const ArrayLists& array : contents_.arrays)
-		if (array.field.association == Association::point)
+		if (array.is_in_source)
+			continue; // pages are known when their rows are
+		else if (array.field.association == Association::point)
 			for (const std::uint32_t part : missing.parts)
 				addRows(array.at(time), parts_[part].first_point, parts_[part].points, to);
 		else
@@ -200,7 +200,8 @@ void PackedCells::announceNextTime()
 	addValues(missing(met, nothing()), *next_time_, extents);
 	contents_.file->announce(std::move(extents));
 	for (std::size_t a = 0; a < paged_.size(); ++a)
-		paged_[a]->announce(paged_[a]->wanted(), contents_.arrays[a].at(*next_time_).offset);
+		if (paged_[a])
+			paged_[a]->announce(paged_[a]->wanted(), contents_.arrays[a].at(*next_time_).offset);
 	next_time_.reset();
 }
 
@@ -225,7 +226,8 @@ void PackedCells::readPoints(std::uint32_t number) const
 void PackedCells::readPointValues(std::uint32_t part) const
 {
 	for (std::size_t a = 0; a < arrays_.size(); ++a)
-		if (const ArrayLists& array = contents_.arrays[a]; array.field.association == Association::point)
+		if (const ArrayLists& array = contents_.arrays[a];
+		    !array.is_in_source && array.field.association == Association::point)
 			takePoints(array.at(contents_.time), grid::byteSize(array.field.type), part, has_values_of_, arrays_[a]);
 }
 
@@ -250,7 +252,8 @@ void PackedCells::notePoints(std::uint32_t part, const Memory& there) const
 void PackedCells::readCellValues(const Piece& piece) const
 {
 	for (std::size_t a = 0; a < arrays_.size(); ++a)
-		if (const ArrayLists& array = contents_.arrays[a]; array.field.association == Association::cell)
+		if (const ArrayLists& array = contents_.arrays[a];
+		    !array.is_in_source && array.field.association == Association::cell)
 			readRows(array.at(contents_.time), piece.first_cell, piece.cells,
 			         arrays_[a]->data() + piece.first_cell * array.row_bytes);
 }

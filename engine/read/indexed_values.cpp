@@ -30,6 +30,9 @@ void PackedCells::readInPlace(const Missing& missing)
 	const auto* numbers = isIndex() ? source_cells_->as<std::uint32_t>() : nullptr;
 	for (std::size_t a = 0; a < paged_.size(); ++a)
 	{
+		extents.emplace_back();
+		if (!paged_[a])
+			continue;
 		PagedValues& values = *paged_[a];
 		if (contents_.arrays[a].field.association == Association::point)
 			for (const std::uint32_t part : missing.parts)
@@ -39,14 +42,15 @@ void PackedCells::readInPlace(const Missing& missing)
 			for (const Piece& piece : missing.pieces)
 				for (std::uint64_t c = piece.first_cell; c < piece.first_cell + piece.cells; ++c)
 					values.want(numbers[c]);
-		extents.push_back(values.missing());
+		extents.back() = values.missing();
 		values.announce(extents.back());
 		for (const PagedValues::Extent& extent : extents.back())
 			wanted.emplace_back(a, extent);
 	}
 	parts::forEachStoppable(wanted, [this](const auto& each) { paged_[each.first]->read(each.second); });
 	for (std::size_t a = 0; a < paged_.size(); ++a)
-		paged_[a]->note(extents[a]);
+		if (paged_[a])
+			paged_[a]->note(extents[a]);
 	std::uint64_t bytes = 0;
 	for (const auto& [array, extent] : wanted)
 		bytes += extent.second - extent.first;
@@ -61,7 +65,8 @@ void PackedCells::copyCellValues(const Piece& piece) const
 {
 	const auto* numbers = source_cells_->as<std::uint32_t>();
 	for (std::size_t a = 0; a < paged_.size(); ++a)
-		if (const ArrayLists& array = contents_.arrays[a]; array.field.association == Association::cell)
+		if (const ArrayLists& array = contents_.arrays[a];
+		    array.is_in_source && array.field.association == Association::cell)
 			for (std::uint64_t c = piece.first_cell; c < piece.first_cell + piece.cells; ++c)
 				std::memcpy(arrays_[a]->data() + c * array.row_bytes, paged_[a]->row(numbers[c]), array.row_bytes);
 }
@@ -73,6 +78,8 @@ std::uint64_t PackedCells::bytesInPlaceAfter(const std::vector<bool>& values) co
 	double there = 0.0, all = 0.0;
 	for (const auto& paged : paged_)
 	{
+		if (!paged)
+			continue;
 		there += static_cast<double>(paged->bytesThere());
 		all += static_cast<double>(paged->bytes());
 	}

@@ -71,7 +71,10 @@ PackedCells::ArrayLists arrayOf(const json& array)
 	field.association = associationOf(array.at("association"));
 	field.components = componentsOf(array.at("components"), field.name);
 	field.type = numberTypeOf(array.at("type").get<std::string>());
-	PackedCells::ArrayLists lists{field, grid::byteSize(field.type) * static_cast<std::size_t>(field.components)};
+	PackedCells::ArrayLists lists{.field = field,
+	                              .row_bytes = grid::byteSize(field.type) * static_cast<std::size_t>(field.components),
+	                              .is_in_source = array.value("in_source", false),
+	                              .swaps = array.value("swaps", false)};
 	for (const json& time : array.at("times"))
 	{
 		lists.times.push_back(

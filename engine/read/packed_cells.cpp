@@ -113,17 +113,19 @@ void PackedCells::check()
 	{
 		if (array.times.size() != times() || contents_.time >= times())
 			throw Unusable("an array has not values at each time");
+		if (array.is_in_source && !isIndex())
+			throw Unusable("an array lies in another file, and the file is no index");
 		const bool is_of_points = array.field.association == Association::point;
 		for (std::size_t time = 0; time < times(); ++time)
 		{
-			if (isIndex())
+			if (array.is_in_source)
 				fitIn(*contents_.source, array.at(time), is_of_points ? contents_.all_points : rows);
 			else
 				fit(array.at(time), is_of_points ? points : rows);
 			if (const auto ranges = array.times[time].ranges)
 				fit({*ranges, bytesOfRanges(array.field)}, runs().size());
 		}
-		RowBytes& bytes = isIndex() ? rows_in_place_ : rows_of_values_;
+		RowBytes& bytes = array.is_in_source ? rows_in_place_ : rows_of_values_;
 		(is_of_points ? bytes.point : bytes.cell) += array.row_bytes;
 	}
 }
@@ -150,13 +152,14 @@ void PackedCells::takeMemoryOfValues()
 	for (const ArrayLists& array : contents_.arrays)
 	{
 		const bool is_of_points = array.field.association == Association::point;
-		if (isIndex())
-			paged_.push_back(std::make_unique<PagedValues>(
+		paged_.emplace_back();
+		if (array.is_in_source)
+			paged_.back() = std::make_unique<PagedValues>(
 			    contents_.source,
 			    PagedValues::Place{array.at(contents_.time).offset, is_of_points ? contents_.all_points : all_rows_,
-			                       array.row_bytes}));
+			                       array.row_bytes, array.swaps ? grid::byteSize(array.field.type) : 1});
 		// Points are numbered as in the file that an index is of, and cells are not.
-		arrays_.push_back(isIndex() && is_of_points
+		arrays_.push_back(array.is_in_source && is_of_points
 		                      ? paged_.back()->memory()
 		                      : memoryFor(is_of_points ? contents_.all_points : cells_, array.row_bytes));
 	}

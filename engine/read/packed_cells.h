@@ -24,7 +24,7 @@ namespace vp::read
 
 // The cells of a pack (docs/FORMATS.md), whose lists lie in its file as they are. This process reads rows of them:
 // plain numbers, which no library parses, and which are checked before they are used. If the pack is the index of
-// another file, the values of arrays are read from that one, in pages.
+// another file, values of arrays that lie there as plain numbers are read from that one, in pages.
 class PackedCells : public grid::CellRuns
 {
 public:
@@ -44,8 +44,10 @@ public:
 	};
 	struct ArrayLists
 	{
-		grid::Field field;         // without bytes and facts
-		std::size_t row_bytes = 0; // where the file is an index, rows are those of `source`, in its order
+		grid::Field field; // without bytes and facts
+		std::size_t row_bytes = 0;
+		bool is_in_source = false; // its rows are those of `source`, in its order
+		bool swaps = false;        // whether the bytes of numbers there are in the other order
 		std::vector<ValueList> times{};
 
 		List at(std::size_t time) const { return {times[time].offset, row_bytes}; }
@@ -54,7 +56,7 @@ public:
 	struct Contents
 	{
 		std::shared_ptr<const parts::OpenFile> file{};
-		std::shared_ptr<const parts::OpenFile> source{}; // has the values, if the file is its index; else null
+		std::shared_ptr<const parts::OpenFile> source{}; // if the file is its index; else null
 		std::vector<Run> runs{};                         // with ascending parts
 		std::vector<std::uint64_t> run_ids{};            // point ids in each run
 		std::vector<std::uint64_t> all_cells{};          // for each part, with those that have no run
@@ -186,7 +188,7 @@ private:
 	Memory places_, point_numbers_, id_memory_, types_, ends_;
 	std::vector<Memory> arrays_;
 	Memory source_cells_;                             // for each cell its number in the file that an index is of
-	std::vector<std::unique_ptr<PagedValues>> paged_; // the values there, for each array
+	std::vector<std::unique_ptr<PagedValues>> paged_; // for each array the values there, or null
 	Memory has_point_, has_values_of_; // a bit for each point: it was read by an earlier fetch, and so were its values
 	Kept has_cells_, has_values_;      // values of nothing without cells
 	std::vector<bool> met_;

@@ -1,5 +1,7 @@
 #include "read/paged_values.h"
 
+#include "parts/part_bytes.h"
+
 #include <algorithm>
 #include <bit>
 
@@ -78,7 +80,10 @@ void PagedValues::announce(std::span<const Extent> extents, std::uint64_t offset
 
 void PagedValues::read(const Extent& extent) const
 {
-	file_->read(place_.offset + extent.first, {memory_->data() + extent.first, memory_->data() + extent.second});
+	const std::span<std::byte> bytes(memory_->data() + extent.first, memory_->data() + extent.second);
+	file_->read(place_.offset + extent.first, bytes);
+	if (place_.swapped_bytes > 1)
+		parts::swapNumbers(bytes, place_.swapped_bytes);
 }
 
 } // namespace vp::read

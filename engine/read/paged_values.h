@@ -18,12 +18,13 @@ namespace vp::read
 class PagedValues
 {
 public:
-	/// The array in the file: plain numbers in the order of this machine. Its caller has checked that it lies there.
+	/// The array in the file: plain numbers. Its caller has checked that it lies there.
 	struct Place
 	{
 		std::uint64_t offset = 0;
 		std::uint64_t rows = 0;
 		std::size_t row_bytes = 0;
+		std::size_t swapped_bytes = 1; // width of a number whose bytes are in the other order; 1 if they are not
 	};
 	/// Bytes of the array from the first on to before the second.
 	using Extent = std::pair<std::uint64_t, std::uint64_t>;

@@ -75,10 +75,12 @@ namespace vp::read
 // "types" and "ends" where "type" is 0 (docs/FORMATS.md); each of the "arrays" has "times" and no "bytes": for each
 // time of the file an "offset" and "facts", and maybe "ranges", the offset of its RunRanges; "time" is the index of the
 // one that was asked for; and "pack" has no "numbers". "source" is an empty list. If the file is the index of another
-// one, it has the five numbers of read::SourceStamp, and the offsets of arrays are places in that other file. Other
-// files are read as if PARTS was empty. Started as "vprobe-read copies", it reads nothing and makes copies of itself,
-// which are as if started with the arguments above; see ready_reader.h.
-constexpr int kProtocolVersion = 21;
+// one, it has the five numbers of read::SourceStamp, and the offsets of arrays that are "in_source" are places in that
+// other file, where numbers may have the other order of bytes ("swaps"). Other files are read as if PARTS was empty.
+//
+// Started as "vprobe-read copies", it reads nothing and makes copies of itself, which are as if started with the
+// arguments above; see ready_reader.h.
+constexpr int kProtocolVersion = 22;
 constexpr int kArraysFd = 3;
 constexpr int kManifestFd = 4;
 constexpr int kCellsFd = 5;

@@ -181,7 +181,11 @@ TEST_P(FaultyMemory, MayBeGoneForGood)
 	     n = n < kFirst ? n + 1 : static_cast<std::uint64_t>(n * (3 + kGrowth) / 4) + 1)
 	{
 		SCOPED_TRACE(GetParam().first + ":" + std::to_string(n) + "+");
-		EXPECT_TRUE(isOutOfMemory(runWith(std::to_string(n) + "+"), whole));
+		const Outcome outcome = runWith(std::to_string(n) + "+");
+		if (vp::memory::toldCalls(calls_)->count < n) // its threads have asked some times less, so nothing failed
+			EXPECT_EQ(outcome.status, 0) << outcome.err;
+		else
+			EXPECT_TRUE(isOutOfMemory(outcome, whole));
 		EXPECT_TRUE(isNothingHalf(takeOutputs(), all));
 	}
 }

@@ -217,7 +217,6 @@ def damaged_indices_are_refused(folder):
                                ('place', change('vprobe/CellData/g/Places', 0, far)),
                                ('place of points', change('vprobe/PointData/f/Places', 0, path.stat().st_size - 9)),
                                ('components', attribute('vprobe/PointData/f', 'NumberOfComponents', 60000)),
-                               ('no name', attribute('vprobe/PointData/f', 'Name', '')),
                                ('type', attribute('vprobe/PointData/f', 'Type', 'float8')))):
         index.write_bytes(kept)
         with h5py.File(index, 'r+') as file:
@@ -235,8 +234,7 @@ def indexing_refuses(folder):
     meshio.write(path, mixed_mesh(meshio, numpy))
     vprobe('convert', 'demo:blob:6', '-o', folder / 'image.vti')
     plain(mixed_mesh(meshio, numpy), folder / 'plain.vtu')
-    for arguments, words in (([path], 'reads plain numbers alone; use vprobe pack'),
-                             ([folder / 'image.vti'], 'is no unstructured grid'),
+    for arguments, words in (([folder / 'image.vti'], 'is no unstructured grid'),
                              (['demo:tets'], 'a built-in data set has no file to index'),
                              ([folder / 'plain.vtu', path], 'an index is of one file'),
                              ([folder / 'plain.vtu', '--displace', '2'], 'an index is of the file as it is'),

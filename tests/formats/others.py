@@ -27,6 +27,7 @@ import ensight
 import everyday
 import exodus
 import far
+import indexed_formats
 import indices
 import labels
 import meshes
@@ -51,7 +52,7 @@ def chosen_cases():
              conversion.CASES + conventions.CASES + far.CASES + stacks.CASES + curved.CASES +
              ensight.CASES + models.CASES + damage.CASES + pictures.CASES + labels.CASES + everyday.CASES +
              parts.CASES + newest.CASES + scans.CASES + stacked.CASES + zarr3.CASES + n5.CASES + packs.CASES +
-             packed_times.CASES + indices.CASES)
+             packed_times.CASES + indices.CASES + indexed_formats.CASES)
     wanted = sys.argv[2] if len(sys.argv) > 2 else '1/1'
     if wanted == 'drawn':
         return drawn.CASES

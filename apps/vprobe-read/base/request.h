@@ -39,6 +39,7 @@ struct Request
 	std::string convert_folder;    // a folder of the parent's, into which it is written
 	std::size_t cells_of_part = 0; // at most, where the file that is written comes in parts; else 0
 	read::SourceStamp stamp{};     // what the file was before it was read, where its index is written
+	std::vector<std::string> said; // likewise, what its reader warned of
 	ArrayWish arrays;              // those to hand over
 	std::uint64_t stays_above = ~std::uint64_t(0); // arrays of more bytes may stay in the file
 	std::string unpack;                            // how the parts are packed that are to be unpacked; mostly empty

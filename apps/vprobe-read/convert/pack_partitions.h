@@ -31,4 +31,9 @@ private:
 	std::vector<Counts> before_;
 };
 
+// Writes the lists of VTKHDF for a part, as int32: the points of each cell, numbered within the partition, and where
+// the list of each cell ends there. A partition begins with one more end, 0.
+void gatherIds(const PackDivision& division, const PackPartitions& partitions, std::size_t part, std::byte* to);
+void gatherOffsets(const PackDivision& division, const PackPartitions& partitions, std::size_t part, std::byte* to);
+
 } // namespace vp::reader::convert

@@ -23,6 +23,9 @@ public:
 	bool areSeveral() const { return given_.times.size() > 1; }
 	std::size_t count() const { return areSeveral() ? given_.times.size() : 1; }
 	const std::vector<double>& times() const { return given_.times; }
+	std::size_t kept() const { return given_.kept; } // the one whose grid it is
+	// Returns it as a sentence has it.
+	std::string nameOf(std::size_t time) const;
 
 	// Takes the grid at a time out of the data sets that were read there. Throws a Refusal if none of them has its
 	// points and cells.
@@ -32,8 +35,6 @@ public:
 	vtkDataArray* valuesAt(std::size_t time, vtkUnstructuredGrid* grid, vtkDataArray* kept, bool on_points) const;
 
 private:
-	std::string nameOf(std::size_t time) const;
-
 	vtkUnstructuredGrid* kept_;
 	const TimesToPack& given_;
 };

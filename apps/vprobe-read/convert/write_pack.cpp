@@ -66,7 +66,6 @@ public:
 	// Writes all but the values of arrays.
 	void writeGrid()
 	{
-		writeAttribute(own_, "Version", H5T_NATIVE_INT64, std::array<std::int64_t, 2>{times_.areSeveral() ? 2 : 1, 0});
 		writePackHead(grid_, division_, partitions_, root_, own_);
 		if (times_.times().size() == 1)
 			writeAttribute(own_, "Time", H5T_NATIVE_DOUBLE, std::array{times_.times()[0]});
@@ -75,6 +74,7 @@ public:
 			addTypes(root_);
 		addArrays("PointData", grid_->GetPointData(), true);
 		addArrays("CellData", grid_->GetCellData(), false);
+		writeVersion();
 		if (times_.areSeveral())
 			writeSteps();
 		writeColumns(division_, columns_);
@@ -94,9 +94,9 @@ public:
 				                   [this](std::size_t part) { return division_.runs(part).size(); },
 				                   [this, &array](std::size_t part, std::byte* to)
 				                   { gatherRanges(division_, part, array.field, to); }});
-			if (indexed_)
+			if (!array.rows)
 			{
-				array.places.push_back(indexed_->placeOf(array.on_points, array.values->GetName(), array.field));
+				array.places.push_back(placeOf(array, time));
 				continue;
 			}
 			const std::size_t bytes =
@@ -110,20 +110,39 @@ public:
 		writeColumns(division_, columns);
 	}
 
-	// Writes what is known when all values were written.
-	void writeFacts() const
+	// Writes what is known when all values were written. warnings: those of the file's reader, for an index.
+	void writeFacts(const std::vector<std::string>& warnings) const
 	{
 		for (const PackedArray& array : arrays_)
 		{
 			array.facts.write(array.own, times_.areSeveral());
-			if (indexed_)
-				writePlaces(array.own, array.values->GetName(), array.field, array.places);
+			if (!array.rows)
+				writePlaces(array.own, array.field, array.places, array.swaps);
 		}
-		if (indexed_)
-			indexed_->writeStamp(own_);
+		if (!indexed_)
+			return;
+		indexed_->writeStamp(own_);
+		for (std::size_t i = 0; i < warnings.size(); ++i)
+			writeText(own_, fmt::format("Warning {}", i + 1).c_str(), warnings[i]);
 	}
 
-	const PackDivision& division() const { return division_; }
+	// Returns lines on what cuts read of the file that the index is of.
+	std::vector<std::string> linesAboutFile() const
+	{
+		std::vector<std::string> lines;
+		std::string copied;
+		bool keeps_any = false;
+		for (const PackedArray& array : arrays_)
+			if (array.rows)
+				copied += fmt::format("{}{}", copied.empty() ? "" : ", ", array.values->GetName());
+			else
+				keeps_any = true;
+		if (keeps_any)
+			lines = linesAboutOrder(division_);
+		if (!copied.empty())
+			lines.push_back(fmt::format("what is not in one piece of plain numbers is in the index, too: {}", copied));
+		return lines;
+	}
 
 private:
 	// gather: writes the rows of a part, of which there are `rowsOf`.
@@ -150,7 +169,7 @@ private:
 		add(
 		    root, "Connectivity", H5T_NATIVE_INT32, {division_.allIds()},
 		    [this](std::size_t part) { return division_.ids(part); },
-		    [this](std::size_t part, std::byte* to) { gatherIds(part, to); });
+		    [this](std::size_t part, std::byte* to) { gatherIds(division_, partitions_, part, to); });
 		add(own, "PointNumbers", H5T_NATIVE_UINT32, {points}, pointsOf,
 		    [this, copy](std::size_t part, std::byte* to) { copy(division_.points(part), to); });
 		add(own, "CellNumbers", H5T_NATIVE_UINT32, {cells}, cellsOf,
@@ -163,7 +182,7 @@ private:
 		    root, "Offsets", H5T_NATIVE_INT32, {division_.types().size() + partitions_.partitions().size()},
 		    [this](std::size_t part)
 		    { return division_.cells(part).size() + (partitions_.before(part).cells == 0 ? 1 : 0); },
-		    [this](std::size_t part, std::byte* to) { gatherOffsets(part, to); });
+		    [this](std::size_t part, std::byte* to) { gatherOffsets(division_, partitions_, part, to); });
 		add(
 		    root, "Types", H5T_NATIVE_UINT8, {division_.types().size()},
 		    [this](std::size_t part) { return division_.cells(part).size(); },
@@ -183,43 +202,6 @@ private:
 		}
 	}
 
-	void gatherIds(std::size_t part, std::byte* to) const
-	{
-		thread_local std::vector<std::int32_t> within; // the place of a point in its partition
-		within.resize(static_cast<std::size_t>(grid_->GetNumberOfPoints()));
-		auto next = static_cast<std::int32_t>(partitions_.before(part).points);
-		for (const std::uint32_t point : division_.points(part))
-			within[point] = next++;
-		division_.withLists(
-		    [&](const auto* offsets, const auto* ids)
-		    {
-			    for (const std::uint32_t cell : division_.cells(part))
-				    for (auto i = offsets[cell]; i < division_.endOf(cell, offsets); ++i, to += sizeof(std::int32_t))
-					    std::memcpy(to, &within[static_cast<std::size_t>(ids[i])], sizeof(std::int32_t));
-		    });
-	}
-
-	void gatherOffsets(std::size_t part, std::byte* to) const
-	{
-		auto end = static_cast<std::int32_t>(partitions_.before(part).ids);
-		const auto putEnd = [&]
-		{
-			std::memcpy(to, &end, sizeof(end));
-			to += sizeof(end);
-		};
-		if (partitions_.before(part).cells == 0)
-			putEnd();
-		division_.withLists(
-		    [&](const auto* offsets, const auto*)
-		    {
-			    for (const std::uint32_t cell : division_.cells(part))
-			    {
-				    end += static_cast<std::int32_t>(division_.endOf(cell, offsets) - offsets[cell]);
-				    putEnd();
-			    }
-		    });
-	}
-
 	void addArrays(const char* name, vtkDataSetAttributes* fields, bool on_points)
 	{
 		const Handle values = groupInOrder(root_, name), own = groupInOrder(own_, name);
@@ -229,7 +211,7 @@ private:
 			const auto type = array ? arrays::numberTypeOfVtk(array->GetDataType()) : std::nullopt;
 			if (!type || !array->GetName())
 				continue;
-			const std::string plain = nameInGroup(values, array->GetName());
+			const std::string plain = nameInGroup(own, array->GetName());
 			const auto components = static_cast<hsize_t>(array->GetNumberOfComponents());
 			const hsize_t rows = on_points ? division_.allPoints() : division_.types().size();
 			std::vector<hsize_t> sides = {rows * times_.count()};
@@ -243,10 +225,16 @@ private:
 			PackedArray& added = arrays_.back();
 			if (const char* units = arrays::unitsOf(array); units && *units)
 				writeText(added.own, "Units", units);
-			if (!indexed_)
-				added.rows.emplace(values, plain.c_str(), typeOf(array->GetDataType()), std::move(sides));
+			if (indexed_ || plain != array->GetName())
+				writeText(added.own, "Name", array->GetName());
 			added.field.components = static_cast<int>(components);
 			added.field.type = *type;
+			added.field.bytes = bytesOf(*array);
+			if (const auto place = indexed_ ? indexed_->placeOf(on_points, array->GetName(), added.field, times_.kept())
+			                                : std::nullopt)
+				added.swaps = place->swaps;
+			else
+				added.rows.emplace(values, plain.c_str(), typeOf(array->GetDataType()), std::move(sides));
 			if (on_points)
 				added.ranges.emplace(added.own, "RunRanges", H5T_NATIVE_FLOAT,
 				                     std::vector<hsize_t>{division_.allRuns() * times_.count(),
@@ -254,11 +242,20 @@ private:
 		}
 	}
 
+	// Older versions of the program look for all arrays of an index in its file, as this machine writes numbers.
+	void writeVersion() const
+	{
+		const bool is_plain = std::ranges::none_of(arrays_, [this](const PackedArray& array)
+		                                           { return indexed_ && (array.rows || array.swaps); });
+		const std::int64_t version = !is_plain ? 3 : times_.areSeveral() ? 2 : 1;
+		writeAttribute(own_, "Version", H5T_NATIVE_INT64, std::array<std::int64_t, 2>{version, 0});
+	}
+
 	void writeSteps() const
 	{
 		std::vector<StepsOfArray> steps;
 		for (const PackedArray& array : arrays_)
-			if (!indexed_)
+			if (array.rows)
 				steps.push_back({array.on_points, array.name, array.rows_of_time});
 		writePackSteps(root_, times_.times(), partitions_.partitions().size(), steps);
 	}
@@ -272,10 +269,20 @@ private:
 		Handle own;          // the group with what a pack says of it
 		grid::Field field{}; // its values at the time that is written
 		PackFacts facts{};
-		std::optional<RowWriter> rows{};     // its values in a pack
-		std::vector<std::uint64_t> places{}; // where they begin at each time in the file that an index is of
+		std::optional<RowWriter> rows{};     // its values, if they do not stay in the file that an index is of
+		std::vector<std::uint64_t> places{}; // else where they begin there at each time
+		bool swaps = false;                  // likewise, whether the bytes of numbers are in the other order
 		std::optional<RowWriter> ranges{};   // for values of points: between which those of each run lie
 	};
+
+	std::uint64_t placeOf(const PackedArray& array, std::size_t time) const
+	{
+		const char* name = array.values->GetName();
+		if (const auto place = indexed_->placeOf(array.on_points, name, array.field, time))
+			return place->offset;
+		throw Refusal(
+		    fmt::format("has the array {} as plain numbers, but not {}; use vprobe pack", name, times_.nameOf(time)));
+	}
 
 	vtkUnstructuredGrid* grid_;
 	vtkDataArray* places_;
@@ -348,9 +355,9 @@ std::vector<std::string> writePack(const std::vector<KeptBlock>& blocks, const T
 				writer.writeArrays(time, read);
 		}
 		for (const PackWriter& writer : writers)
-			writer.writeFacts();
+			writer.writeFacts(request.said);
 		if (indexed)
-			lines = linesAboutOrder(writers[0].division());
+			lines = writers[0].linesAboutFile();
 	}
 	if (H5Fflush(file, H5F_SCOPE_LOCAL) < 0)
 		throw NoRoom(kNoRoom);

@@ -92,6 +92,14 @@ void Writer::warn(std::string line)
 		warnings_.push_back({.words = std::move(line)});
 }
 
+std::vector<std::string> Writer::warnings() const
+{
+	std::vector<std::string> lines;
+	for (const read::ReadWarning& warning : warnings_)
+		lines.push_back(warning.text());
+	return lines;
+}
+
 bool Writer::hasWarned(const std::string& line) const
 {
 	return std::ranges::find(warnings_, line, &read::ReadWarning::words) != warnings_.end();

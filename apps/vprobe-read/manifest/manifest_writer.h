@@ -90,6 +90,7 @@ public:
 	void setTimeUnits(std::string units) { time_units_ = std::move(units); }
 	void setSandbox(std::string text) { sandbox_ = std::move(text); }
 	void warn(std::string line);
+	std::vector<std::string> warnings() const; // that were given so far
 
 	bool isEmpty() const { return blocks_.empty(); }
 	// Returns the data sets that became blocks.

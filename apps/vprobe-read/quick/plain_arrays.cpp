@@ -5,14 +5,14 @@
 namespace vp::reader::quick
 {
 
-std::optional<std::vector<PlainArray>> plainArrays(const std::string& path)
+std::optional<std::vector<arrays::PlainArray>> plainArrays(const std::string& path)
 try
 {
 	const File file(path);
 	const text::XmlElement& piece = onlyChild(file.data(), "Piece");
 	if (file.type() != "UnstructuredGrid")
 		return std::nullopt;
-	std::vector<PlainArray> plain;
+	std::vector<arrays::PlainArray> plain;
 	for (const text::XmlElement& section : piece.children)
 	{
 		const bool on_points = section.name == "PointData";
@@ -26,7 +26,8 @@ try
 			if (tuples > ~std::uint64_t(0) / kind.tupleBytes())
 				return std::nullopt;
 			if (const auto offset = file.open(array, tuples * kind.tupleBytes())->placeInFile())
-				plain.push_back({on_points, std::string(array.attribute("Name")), kind.type, kind.components, *offset});
+				plain.push_back(
+				    {on_points, std::string(array.attribute("Name")), kind.type, kind.components, {*offset}});
 		}
 	}
 	return plain;

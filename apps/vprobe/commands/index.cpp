@@ -51,8 +51,9 @@ void addIndex(CLI::App& program, Run& run)
 	    "index", "Write what cuts need to know of an input beside it, so that they read little of it");
 	addInputs(*command, options->input);
 	addPartSize(*command, options->part);
-	command->footer("Writes INPUT.vpx: points and cells in parts that lie together in space. Values stay in INPUT. The "
-	                "index is used as long as INPUT stays as it is; then run this again.");
+	command->footer("Writes INPUT.vpx: points and cells in parts that lie together in space. Values stay in INPUT if "
+	                "they lie there as plain numbers. The index is used as long as INPUT stays as it is; then run this "
+	                "again.");
 	command->callback([&run, options] { run = [options] { return runIndex(*options); }; });
 }
 

@@ -292,6 +292,7 @@ TEST(Manifest, ChecksTheFileThatAnIndexIsOf)
 	EXPECT_EQ(why(file), "it is no index");
 	const json stamp = stamped(32); // four floats at 16, of the later time
 	made.block(0)["source"] = stamp;
+	made.block(0)["arrays"][0]["in_source"] = true;
 	EXPECT_EQ(why(file), "");
 	EXPECT_EQ(why(""), "the index of another file; open that file");
 	for (std::size_t i = 0; i < stamp.size(); ++i)

@@ -65,8 +65,9 @@ struct TwoParts
 		contents.cell_numbers = list(std::vector<std::uint32_t>{7, 9}, 1).offset;
 		contents.types = list(std::vector<std::uint8_t>{grid::kTetra, grid::kTetra}, 1);
 		contents.ends = list(ends, 1);
-		contents.arrays = {{of_points, 8, {{list(f, 1).offset}, {list(later_f, 1).offset}}},
-		                   {of_cells, 4, {{list(g, 2).offset}, {list(later_g, 2).offset}}}};
+		contents.arrays = {
+		    {.field = of_points, .row_bytes = 8, .times = {{list(f, 1).offset}, {list(later_f, 1).offset}}},
+		    {.field = of_cells, .row_bytes = 4, .times = {{list(g, 2).offset}, {list(later_g, 2).offset}}}};
 		const auto facts = std::make_shared<grid::ArrayFacts>();
 		facts->tuples = 5;
 		contents.arrays[0].times[1].facts = facts;
@@ -184,6 +185,39 @@ TEST(PackedCells, AreReadRunByRun)
 	}
 }
 
+// The pack is an index: the values of points lie in another file, and those of cells do not.
+TEST(PackedCells, ReadTheValuesOfTwoFiles)
+{
+	TwoParts two, pack;
+	PackedCells::Contents contents = two.contents();
+	contents.cell_numbers = two.list(std::vector<std::uint32_t>{1, 0}, 1).offset;
+	writeContents(two.path, two.bytes);
+	contents.file = std::make_shared<const parts::OpenFile>(two.path);
+	two.bytes.clear();
+	contents.arrays[0].times = {{two.list(std::vector<double>{0, 10, 20, 30, 40}, 1).offset},
+	                            {two.list(std::vector<double>{1, 11, 21, 31, 41}, 1).offset}};
+	contents.arrays[0].is_in_source = true;
+	writeContents(two.folder / "source", two.bytes);
+	const auto without = std::make_shared<PackedCells>(pack.contents());
+	contents.source = std::make_shared<const parts::OpenFile>(two.folder / "source");
+	const auto cells = std::make_shared<PackedCells>(contents);
+	fetch(*cells, {1});
+	fetch(*without, {1});
+	EXPECT_EQ(cells->fields()[0].value(4, 0), 40.0);
+	for (int component = 0; component < 2; ++component)
+		EXPECT_EQ(cells->fields()[1].value(1, component), without->fields()[1].value(1, component));
+	EXPECT_NE(cells->fields()[1].value(1, 0), 0.0);
+	grid::Block block = blockOf(cells);
+	grid::Block other = blockOf(without);
+	cells->goTo(1, 0, block);
+	without->goTo(1, 0, other);
+	fetch(*cells, {0, 1});
+	fetch(*without, {0, 1});
+	EXPECT_EQ(block.fields[0].value(4, 0), 41.0);
+	EXPECT_EQ(block.fields[1].value(0, 1), other.fields[1].value(0, 1));
+	EXPECT_NE(block.fields[1].value(0, 1), 0.0);
+}
+
 // The pack is an index: the values of points and cells lie in another file, in its order.
 TEST(PackedCells, ReadTheValuesOfTheFileThatAnIndexIsOf)
 {
@@ -199,6 +233,9 @@ TEST(PackedCells, ReadTheValuesOfTheFileThatAnIndexIsOf)
 	contents.arrays[1].times = {{two.list(std::vector<std::int16_t>{3, 4, 1, 2}, 2).offset},
 	                            {two.list(std::vector<std::int16_t>{-3, -4, -1, -2}, 2).offset}};
 	writeContents(path, two.bytes);
+	for (PackedCells::ArrayLists& array : contents.arrays)
+		array.is_in_source = true;
+	EXPECT_THROW(PackedCells without(contents), Unusable);
 	contents.source = std::make_shared<const parts::OpenFile>(path);
 
 	const auto cells = std::make_shared<PackedCells>(contents);

@@ -89,6 +89,16 @@ TEST(PagedValues, ReadAllWhereMuchIsWanted)
 		ASSERT_EQ(numberAt(values, row), 3.0 * static_cast<double>(row));
 }
 
+TEST(PagedValues, MayHaveTheirBytesInTheOtherOrder)
+{
+	TemporaryFolder folder;
+	writeContents(folder / "numbers", std::string("xx\x01\x02\x03\x04\x05\x06\x07\x08", 10)); // rows of two numbers
+	PagedValues values(std::make_shared<const parts::OpenFile>(folder / "numbers"), {2, 1, 8, 4});
+	values.want(0);
+	readMissing(values);
+	EXPECT_EQ(std::memcmp(values.row(0), "\x04\x03\x02\x01\x08\x07\x06\x05", 8), 0);
+}
+
 TEST(PagedValues, HaveRowsLongerThanPagesToo)
 {
 	const NumberFile numbers;

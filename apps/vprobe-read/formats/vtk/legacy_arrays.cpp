@@ -35,6 +35,14 @@ constexpr LegacyType kLegacyTypes[] = {
     {"vtktypeint64", NumberType::int64}, {"unsigned_long", NumberType::uint64},  {"vtktypeuint64", NumberType::uint64},
     {"float", NumberType::float32},      {"double", NumberType::float64}};
 
+// Returns nothing for bits and texts.
+std::optional<NumberType> numberTypeOf(const std::string& type)
+{
+	const auto known = std::find_if(std::begin(kLegacyTypes), std::end(kLegacyTypes),
+	                                [&](const LegacyType& each) { return each.word == type; });
+	return known == std::end(kLegacyTypes) ? std::nullopt : std::optional(known->type);
+}
+
 std::string bigEndian(std::uint64_t value, std::size_t bytes)
 {
 	std::array<char, sizeof value> all;
@@ -140,14 +148,10 @@ std::int64_t LegacyArrays::copyArray(const std::string& type, std::uint64_t valu
 		copyBits(values, words);
 	else if (type == "string" || type == "utf8_string")
 		copyTexts(values, words);
+	else if (const std::optional<NumberType> known = numberTypeOf(type))
+		return copyNumbers(*known, values, words);
 	else
-	{
-		const auto known = std::find_if(std::begin(kLegacyTypes), std::end(kLegacyTypes),
-		                                [&](const LegacyType& each) { return each.word == type; });
-		if (known == std::end(kLegacyTypes))
-			throw NotCopied();
-		return copyNumbers(known->type, values, words);
-	}
+		throw NotCopied();
 	return 0;
 }
 
@@ -171,6 +175,16 @@ std::int64_t LegacyArrays::copyNumbers(NumberType type, std::uint64_t values, co
 	const char* last = bytes.data() + bytes.size() - byteSize(type);
 	return type == NumberType::int32 ? numberAt<std::int32_t>(last, ByteOrder::big)
 	                                 : numberAt<std::int64_t>(last, ByteOrder::big);
+}
+
+void LegacyArrays::notePlain(std::optional<bool> on_points, const std::string& name, const std::string& type,
+                             std::uint64_t tuples, std::uint64_t components)
+{
+	const std::optional<NumberType> number = numberTypeOf(type);
+	if (is_text_ || !on_points || !number)
+		return;
+	const std::uint64_t begin = at_.place() - tuples * components * byteSize(*number);
+	plain_.push_back({*on_points, decodedText(name), *number, components, {begin}, byteSize(*number) > 1});
 }
 
 // Those of a binary file, which begin behind the line.

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "grid/field.h"
+#include "plain_arrays.h"
 #include "vprobe-read/base/memory_file.h"
 #include "vprobe-read/text/text_cursor.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -39,6 +41,9 @@ protected:
 	// Values of a type by its name in small letters. Returns the last value of whole numbers.
 	std::int64_t copyArray(const std::string& type, std::uint64_t values, const std::string& words);
 	std::int64_t copyNumbers(grid::NumberType type, std::uint64_t values, const std::string& words);
+	// Notes where the values lie that were copied last. on_points: nothing for those of neither points nor cells.
+	void notePlain(std::optional<bool> on_points, const std::string& name, const std::string& type,
+	               std::uint64_t tuples, std::uint64_t components);
 
 	std::string_view text_;
 	text::Cursor at_;
@@ -46,6 +51,7 @@ protected:
 	bool is_text_ = false;
 	bool is_changed_ = false;       // what is copied from bytes is not what was there
 	std::string last_ = "its head"; // what was copied last
+	std::vector<arrays::PlainArray> plain_;
 
 private:
 	std::string_view takeBytes(std::uint64_t values, std::uint64_t each, const std::string& words);

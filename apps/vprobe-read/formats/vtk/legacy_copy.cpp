@@ -30,6 +30,7 @@ public:
 	bool isText() const { return is_text_; }
 	bool isNeeded() const { return is_text_ || is_changed_; }
 	const std::vector<std::string>& warnings() const { return warnings_; }
+	const std::vector<arrays::PlainArray>& plainArrays() const { return plain_; }
 
 	void copy()
 	{
@@ -122,7 +123,7 @@ private:
 			const std::uint64_t components = countOf();
 			const std::string type = inSmallLetters(at_.word());
 			write(fmt::format("{} {} {} {}\n", word, name, components, type));
-			copyArray(type, tuples_ * components, wordsFor(name));
+			copyValues(name, type, tuples_, components);
 		}
 		else if (isOneOf(word, {"global_ids", "pedigree_ids", "edge_flags"}))
 			copyIds(word);
@@ -157,6 +158,12 @@ private:
 		const std::string type = inSmallLetters(at_.word());
 		write(fmt::format("{} {} {}\n", word, count, type));
 		copyArray(type, count * components, words);
+	}
+
+	void copyValues(const std::string& name, const std::string& type, std::uint64_t tuples, std::uint64_t components)
+	{
+		copyArray(type, tuples * components, wordsFor(name));
+		notePlain(is_point_, name, type, tuples, components);
 	}
 
 	// Before version 5, how many corners each cell has stands before them.
@@ -201,7 +208,7 @@ private:
 		if (table != "lookup_table")
 			throw NotCopied();
 		write(fmt::format("SCALARS {} {} {}\nLOOKUP_TABLE {}\n", name, type, components, at_.word()));
-		copyArray(type, tuples_ * components, wordsFor(name));
+		copyValues(name, type, tuples_, components);
 	}
 
 	void copyNamed(const std::string& word, std::uint64_t components)
@@ -209,7 +216,7 @@ private:
 		const std::string name = ownName();
 		const std::string type = inSmallLetters(at_.word());
 		write(fmt::format("{} {} {}\n", word, name, type));
-		copyArray(type, tuples_ * components, wordsFor(name));
+		copyValues(name, type, tuples_, components);
 	}
 
 	// VTK's reader would leave nothing of a second array of ids, so it becomes an ordinary one.
@@ -225,7 +232,7 @@ private:
 			is_changed_ = true;
 			write(fmt::format("FIELD FieldData 1\n{} 1 {} {}\n", name, tuples_, type));
 		}
-		copyArray(type, tuples_, wordsFor(name));
+		copyValues(name, type, tuples_, 1);
 	}
 
 	void copyColors()
@@ -261,7 +268,7 @@ private:
 			if (components > 1 << 16)
 				throw damaged(fmt::format("an array of {} components", components));
 			write(fmt::format("{} {} {} {}\n", own, components, tuples, type));
-			copyArray(type, tuples * components, wordsFor(own));
+			copyValues(own, type, tuples, components);
 		}
 	}
 
@@ -352,6 +359,19 @@ private:
 };
 
 } // namespace
+
+std::vector<arrays::PlainArray> plainArraysOfLegacy(std::string_view text)
+try
+{
+	LegacyCopier look(text, nullptr);
+	if (!look.isText())
+		look.copy();
+	return look.plainArrays();
+}
+catch (const NotCopied&)
+{
+	return {};
+}
 
 LegacyCopy copyLegacy(std::string_view text)
 {

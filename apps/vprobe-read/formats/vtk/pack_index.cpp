@@ -49,7 +49,7 @@ PackIndex::PackIndex(const hdf5::File& file, const VtkHdfPack& pack, const Wants
 {
 	if (descriptor_ < 0)
 		throw Refusal("it cannot be opened; check its permissions");
-	if (const double version = file.realOr(own_, "Version", 1.0); version >= 3.0)
+	if (const double version = file.realOr(own_, "Version", 1.0); version >= 4.0)
 		throw Refusal(
 		    fmt::format("a pack of version {}; install a newer vprobe, or pack it again with this one", version));
 	listParts();
@@ -233,7 +233,8 @@ void PackIndex::listArrays(const std::string& association, const WantsVtkHdfArra
 	for (const std::string& in_file : namesOfArrays(association))
 	{
 		PackedArray array = arrayOf(association, in_file);
-		source_.empty() ? takeRows(array) : takePlaces(array);
+		!source_.empty() && file_.isSet(own_ + "/" + association + "Data/" + in_file + "/Places") ? takePlaces(array)
+		                                                                                          : takeRows(array);
 		if (wants(association, array.name, array.type, array.components))
 		{
 			array.facts = factsOf(association, in_file, array.components);
@@ -250,7 +251,10 @@ std::vector<std::string> PackIndex::namesOfArrays(const std::string& association
 PackedArray PackIndex::arrayOf(const std::string& association, const std::string& in_file) const
 {
 	const std::string own = own_ + "/" + association + "Data/" + in_file;
-	return {.association = association, .name = in_file, .in_file = in_file, .units = file_.textOr(own, "Units")};
+	std::string name = file_.textOr(own, "Name");
+	if (name.empty())
+		name = in_file;
+	return {.association = association, .name = name, .in_file = in_file, .units = file_.textOr(own, "Units")};
 }
 
 void PackIndex::takeRows(PackedArray& array) const
@@ -280,12 +284,12 @@ void PackIndex::takeRows(PackedArray& array) const
 void PackIndex::takePlaces(PackedArray& array) const
 {
 	const std::string group = array.association + "Data/" + array.in_file, own = own_ + "/" + group;
-	array.name = file_.textOr(own, "Name");
 	array.components = checkedCount(file_.realOr(own, "NumberOfComponents", 0.0), "NumberOfComponents");
 	const std::optional<NumberType> type = grid::parseNumberType(file_.textOr(own, "Type"));
-	if (!type || array.name.empty() || array.components == 0)
+	if (!type || array.components == 0)
 		throw damaged(fmt::format("{} does not say what its values are", own));
 	array.type = *type;
+	array.swaps = file_.realOr(own, "Swaps", 0.0) != 0.0;
 	const auto places = allRows<std::uint64_t>(group + "/Places", NumberType::uint64, times());
 	for (const std::size_t step : steps_)
 		array.places.push_back(places[step]);

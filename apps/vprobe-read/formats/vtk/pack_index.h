@@ -57,6 +57,7 @@ struct PackedArray
 	// For each time of the pack:
 	std::vector<std::uint64_t> first_rows{};
 	std::vector<std::uint64_t> places{}; // where its values begin in the file that an index is of, in place of rows
+	bool swaps = false;                  // likewise, whether the bytes of numbers are in the other order there
 	std::vector<nlohmann::json> facts{}; // as of protocol.h
 };
 

@@ -90,6 +90,8 @@ std::optional<json> describePlaces(const PackIndex& index, const std::string& fi
 		                  {"components", array.components},
 		                  {"units", array.units},
 		                  {"type", grid::numberTypeName(array.type)},
+		                  {"in_source", !array.places.empty()},
+		                  {"swaps", array.swaps},
 		                  {"times", std::move(times)}});
 	}
 	if (!all_plain)

@@ -40,6 +40,7 @@ namespace
 {
 
 constexpr std::uint64_t kMaxComponentsOfVtkHdf = 1 << 16;
+constexpr std::size_t kMaxWarnings = 100; // that an index repeats
 
 class VtkHdfReader
 {
@@ -66,6 +67,9 @@ public:
 			// The time of a pack that has only one.
 			if (const std::vector<double> time = file_.realsOr(own_, "Time"); times.empty() && !time.empty())
 				manifest_.offerTimes({time[0]});
+			for (std::size_t number = 1; number <= kMaxWarnings; ++number)
+				if (std::string line = file_.textOr(own_, fmt::format("Warning {}", number).c_str()); !line.empty())
+					manifest_.warn(std::move(line));
 			readVtkHdfPack(file_, pack, request_, wants, manifest_);
 		}
 		else
