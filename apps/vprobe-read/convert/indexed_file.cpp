@@ -24,6 +24,7 @@ namespace
 // number_bytes: width of numbers whose bytes are in the other order; 1 if they are not.
 bool holds(const parts::OpenFile& file, std::uint64_t offset, std::span<const std::byte> bytes,
            std::size_t number_bytes)
+try
 {
 	if (offset > file.size() || bytes.size() > file.size() - offset)
 		return false;
@@ -40,6 +41,10 @@ bool holds(const parts::OpenFile& file, std::uint64_t offset, std::span<const st
 		bytes = bytes.subspan(next.size());
 	}
 	return true;
+}
+catch (const parts::Unreadable&)
+{
+	return false; // it became shorter, which its stamp tells, too
 }
 
 // The index would not know when another file is changed.
