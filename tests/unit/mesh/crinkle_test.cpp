@@ -266,6 +266,22 @@ TEST(Crinkle, ClosesAcrossSeams)
 	}
 }
 
+// A cube beside four cubes of half its size, which are another block. Counted by hand.
+TEST(Crinkle, HidesALargeFaceWhereSmallOnesCoverIt)
+{
+	std::vector<grid::Block> blocks(2);
+	blocks[0].grid = grid::UniformGrid({2, 2, 2}, Vec3(0.0), Vec3(1.0));
+	blocks[1].grid = grid::UniformGrid({2, 3, 3}, Vec3(1.0, 0.0, 0.0), Vec3(0.5));
+	for (grid::Block& block : blocks)
+		grid::finishBlock(block);
+	const grid::BlockSet set = setOfBlocks(std::move(blocks));
+	cut::Cutter cutter(set);
+	// Two small cells: they hide a face each, and half of the large one.
+	EXPECT_EQ(crinkled(cutter, {{0.5, 0.2, 0.5}, {0.0, 1.0, 0.0}}).mesh.polygons(), 6u + 2 * 4);
+	// All four: each has two neighbors of its size.
+	EXPECT_EQ(crinkled(cutter, {{1.12, 0.0, 0.0}, {1.0, 0.1, 0.1}}).mesh.polygons(), 5u + 4 * 3);
+}
+
 TEST(Crinkle, IsOfWholeCellsInAWindow)
 {
 	const grid::BlockSet set = setOf(gridNamed("shell"));
