@@ -113,6 +113,21 @@ protected:
 		const bool is_one = !task().draws || task().arguments[0] != "sweep";
 		return std::ranges::includes(all, outputs) && (!is_one || outputs.empty() || outputs == all);
 	}
+	// Checks the end of a run: as one without a fault, or in one line. Returns true for the latter.
+	bool hasFailed(const Outcome& outcome, const std::map<std::string, std::string>& outputs, const Outcome& whole,
+	               const std::map<std::string, std::string>& all) const
+	{
+		if (outcome.status == 0)
+		{
+			EXPECT_EQ(outcome.out, whole.out);
+			EXPECT_EQ(outcome.err, whole.err);
+			EXPECT_TRUE(outputs == all);
+			return false;
+		}
+		EXPECT_TRUE(isOutOfMemory(outcome, whole));
+		EXPECT_TRUE(isNothingHalf(outputs, all));
+		return true;
+	}
 	// CLI11 has functions that may not throw but ask for memory. They are done when the program looks for its input.
 	std::uint64_t callsBeforeInput() const
 	{
@@ -156,16 +171,7 @@ TEST_P(FaultyMemory, EndsInOneLineOrWithAll)
 		// Figures become JSON last.
 		const bool may_terminate = n <= before_input || task().has_json || outputs == all;
 		EXPECT_TRUE(may_terminate || !vp::memory::toldCalls(calls_)->terminated) << outcome.err;
-		if (outcome.status == 0)
-		{
-			EXPECT_EQ(outcome.out, whole.out);
-			EXPECT_EQ(outcome.err, whole.err);
-			EXPECT_TRUE(outputs == all);
-			continue;
-		}
-		++failed;
-		EXPECT_TRUE(isOutOfMemory(outcome, whole));
-		EXPECT_TRUE(isNothingHalf(outputs, all));
+		failed += hasFailed(outcome, outputs, whole, all);
 	}
 	EXPECT_GE(failed, tried.size() / 2);
 }
@@ -177,17 +183,16 @@ TEST_P(FaultyMemory, MayBeGoneForGood)
 	ASSERT_EQ(whole.status, 0) << whole.err;
 	const std::map<std::string, std::string> all = takeOutputs();
 	const std::uint64_t count = vp::memory::toldCalls(calls_)->count;
+	std::size_t tried = 0, failed = 0;
 	for (std::uint64_t n = 1; n <= count;
 	     n = n < kFirst ? n + 1 : static_cast<std::uint64_t>(n * (3 + kGrowth) / 4) + 1)
 	{
 		SCOPED_TRACE(GetParam().first + ":" + std::to_string(n) + "+");
 		const Outcome outcome = runWith(std::to_string(n) + "+");
-		if (vp::memory::toldCalls(calls_)->count < n) // its threads have asked some times less, so nothing failed
-			EXPECT_EQ(outcome.status, 0) << outcome.err;
-		else
-			EXPECT_TRUE(isOutOfMemory(outcome, whole));
-		EXPECT_TRUE(isNothingHalf(takeOutputs(), all));
+		++tried;
+		failed += hasFailed(outcome, takeOutputs(), whole, all);
 	}
+	EXPECT_GE(failed + 2, tried); // the last calls may come when all is done
 }
 
 namespace
