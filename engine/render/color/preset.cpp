@@ -1,5 +1,6 @@
 #include "render/color/preset.h"
 
+#include "base/control_letters.h"
 #include "render/color/color_spaces.h"
 
 #include <fmt/format.h>
@@ -23,7 +24,7 @@ constexpr std::size_t kMaxCategories = 1024;
 
 Error badPreset(const std::string& what)
 {
-	return {ErrorKind::input, what};
+	return {ErrorKind::input, withEscapes(what)}; // words of the file may have several lines
 }
 
 // The numbers of a list in groups of `group`; none where the preset lacks it.

@@ -190,6 +190,7 @@ TEST(ColorMapFile, WhatDoesNotServeIsToldInOneLine)
 	                       {R"({"RGBPoints":[0,1,1,1, 1,1,2,1]})", "0 to 1"},
 	                       {R"({"RGBPoints":[0,1,1,1, 1e999,1,1,1]})", "JSON"},
 	                       {R"({"RGBPoints":[0,1,1,1, 1,1,1,1],"ColorSpace":"CMYK"})", "CMYK"},
+	                       {R"({"RGBPoints":[0,1,1,1, 1,1,1,1],"ColorSpace":"a\nb"})", "a\\x0ab"},
 	                       {R"({"RGBPoints":[0,1,1,1, 1,1,1,1],"Points":[0,1,0.5]})", "Points"},
 	                       {R"({"RGBPoints":[0,1,1,1, 1,1,1,1],"Points":[0,7,0.5,0, 1,1,0.5,0]})", "Points"},
 	                       {R"({"RGBPoints":[0,1,1,1, 1,1,1,1],"NanColor":[1,2]})", "NanColor"},
