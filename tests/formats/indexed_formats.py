@@ -162,7 +162,7 @@ def files_that_name_others_get_no_index(folder):
     vprobe('pack', folder / 'a.vtu', '-o', folder / 'pack.vtkhdf')
     meshio.write(folder / 'blocks.e', mesh)
     for name, words in (('all.vtm', 'names a.vtu, and an index is of one file that names no others'),
-                        ('pack.vtkhdf', 'is a pack, of which cuts read little as it is'),
+                        ('pack.vtkhdf', 'is a pack, and needs no index: use it as it is'),
                         ('blocks.e', 'has several blocks')):
         code, lines = said(['index', folder / name])
         assert code == 2 and words in lines and lines.count('\n') == 1, (name, code, lines)

@@ -42,7 +42,7 @@ std::vector<arrays::PlainArray> plainArraysOfHdf(const std::string& name_of_file
 	const std::string root = "/VTKHDF";
 	const hdf5::File file(name_of_file);
 	if (isVtkHdfPack(file, {.root = root, .own = "/vprobe"}))
-		throw Refusal("is a pack, of which cuts read little as it is");
+		throw Refusal("is a pack, and needs no index: use it as it is");
 	std::vector<arrays::PlainArray> plain;
 	for (const std::string association : {"Point", "Cell"})
 		for (const std::string& name : file.namesIn(root + "/" + association + "Data"))
