@@ -63,9 +63,9 @@ public:
 	// three are left out and counted. Throws std::length_error past kMaxFaceSlots or kMaxBlockIds.
 	static UnstructuredGrid build(const Points& points, const CellList& cells, std::vector<FaceLink> links = {});
 
-	/// Links some cells of a listed grid, as if there were no others. It has no polyhedra, and the ids of these cells'
-	/// points were checked. cells: their ids, each once. sourceCell() and sourcePoint() return the numbers that the
-	/// listed grid has. Throws as build() does.
+	/// Links some cells of a listed grid, as if there were no others. The ids of these cells' points were checked.
+	/// cells: their ids, each once. sourceCell() and sourcePoint() return the numbers that the listed grid has. Throws
+	/// as build() does.
 	static UnstructuredGrid buildPart(const UnstructuredGrid& listed, std::span<const CellId> cells);
 
 	std::size_t cellCount() const { return cell_count_; }

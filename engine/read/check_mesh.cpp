@@ -59,7 +59,8 @@ void checkOffsets(const Array<std::int64_t>& offsets, std::size_t end, const cha
 		throw Unusable(fmt::format("the {} offsets fall at cell {}", what, falls));
 }
 
-// Per face its size and point ids, to the end of the cell's stream.
+} // namespace
+
 bool isPolyhedron(std::span<const std::int64_t> stream, std::size_t points)
 {
 	// A closed body has four faces at least, of three points at least.
@@ -77,8 +78,6 @@ bool isPolyhedron(std::span<const std::int64_t> stream, std::size_t points)
 	}
 	return at == stream.size();
 }
-
-} // namespace
 
 void checkAxis(const Array<double>& axis)
 {

@@ -6,6 +6,9 @@
 #include "grid/unstructured.h"
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <stdexcept>
 
 namespace vp::read
@@ -34,6 +37,8 @@ bool checkCells(grid::CellList& cells, std::size_t points, bool may_be_curved = 
 // Checks that the cells can be those of a lattice, where hidden cells are empty.
 void checkLattice(const grid::Lattice& lattice, std::size_t points, const grid::CellList& cells);
 void checkPolygons(const grid::PatchPolygons& polygons);
+// Returns true if the faces can be those of a polyhedron. stream: as in grid::CellList, to its end.
+bool isPolyhedron(std::span<const std::int64_t> stream, std::size_t points);
 void checkSourceCells(const Array<std::int64_t>& source_cells, std::size_t count);
 
 } // namespace vp::read

@@ -25,11 +25,6 @@ using grid::Association;
 namespace
 {
 
-parts::Unreadable damaged(const parts::OpenFile& file, const char* reason)
-{
-	return parts::Unreadable(fmt::format("{}: truncated or damaged: {}", file.name(), reason));
-}
-
 // Writes the numbers of rows to the places of their points. Two parts may write the same point at the same time.
 // isThere: whether a point was read before, when others may look at it.
 template <class Number, class IsThere>
@@ -71,6 +66,11 @@ std::vector<std::byte>& scratchOf(std::size_t bytes)
 }
 
 } // namespace
+
+parts::Unreadable PackedCells::damaged(const char* reason) const
+{
+	return parts::Unreadable(fmt::format("{}: truncated or damaged: {}", contents_.file->name(), reason));
+}
 
 void PackedCells::fetch(std::span<const std::uint32_t> runs)
 {
@@ -171,6 +171,13 @@ void PackedCells::addCells(const Missing& missing, Extents& to) const
 		addRows(contents_.ids, piece.first_id, piece.ids, to);
 		if (isIndex())
 			addRows({contents_.cell_numbers, sizeof(std::uint32_t)}, piece.first_cell, piece.cells, to);
+		if (!hasFaces())
+			continue;
+		const std::uint32_t run = piece.first_run, end = piece.first_run + piece.runs;
+		const FirstFace &first = first_faces_[run], &behind = first_faces_[end];
+		addRows(contents_.face_ids, first.id, behind.id - first.id, to);
+		addRows(contents_.face_ends, firstFaceEndOf(run), behind.face - first.face + 1, to);
+		addRows(contents_.polyhedron_ends, firstEndOf(run), piece.cells + 1, to);
 	}
 }
 
@@ -219,7 +226,7 @@ void PackedCells::readPoints(std::uint32_t number) const
 	const std::span<const std::uint32_t> points = pointsOf(number);
 	for (std::size_t p = 0; p < points.size(); ++p)
 		if (points[p] >= contents_.all_points || (p > 0 && points[p] <= points[p - 1]))
-			throw damaged(*contents_.file, "the points of a part are out of order");
+			throw damaged("the points of a part are out of order");
 	takePoints(contents_.places, contents_.places.row_bytes / 3, number, has_point_, places_);
 }
 
@@ -265,10 +272,21 @@ void PackedCells::readPiece(const Piece& piece) const
 		readSourceCells(piece);
 	takeTypes(piece);
 	for (std::uint32_t run = piece.first_run; run < piece.first_run + piece.runs; ++run)
-		takeIds(run);
+	{
+		takeIds(run, {id_memory_->as<std::int32_t>() + first_ids_[run], contents_.run_ids[run]});
+		if (hasFaces())
+			takeFaces(run);
+	}
 	if (contents_.type != kTetra)
 		orderCollapsed(cells(), piece.first_cell, piece.first_cell + piece.cells,
 		               {id_memory_->as<std::int32_t>(), ids_});
+}
+
+// Where the ends of a run's cells begin, with that of the cell before.
+std::uint64_t PackedCells::firstEndOf(std::uint32_t number) const
+{
+	const Run& run = runs()[number];
+	return contents_.first_ends[run.part] + (run.first_cell - parts_[run.part].first_cell);
 }
 
 void PackedCells::takeTypes(const Piece& piece) const
@@ -280,23 +298,22 @@ void PackedCells::takeTypes(const Piece& piece) const
 		std::fill_n(types + 1, piece.cells - 1, contents_.type);
 		return;
 	}
-	const std::uint32_t number = runs()[piece.first_run].part;
-	const std::uint64_t first_end = contents_.first_ends[number] + (piece.first_cell - parts_[number].first_cell);
 	readRows(contents_.types, piece.first_cell, piece.cells, types);
 	std::vector<std::int32_t> ends(piece.cells + 1);
-	readRows(contents_.ends, first_end, ends.size(), ends.data());
+	readRows(contents_.ends, firstEndOf(piece.first_run), ends.size(), ends.data());
 	auto* starts = ends_->as<std::int64_t>() + piece.first_cell;
 	std::uint64_t sum = 0;
 	for (std::size_t c = 0; c < piece.cells; ++c)
 	{
 		const auto size = static_cast<std::int64_t>(ends[c + 1]) - ends[c];
-		if (slicedCellSize(types[c]) == 0 || size != slicedCellSize(types[c]))
-			throw damaged(*contents_.file, "a cell has not as many points as its type");
+		const bool is_polyhedron = types[c] == kPolyhedron && hasFaces() && size >= 0;
+		if (!is_polyhedron && (slicedCellSize(types[c]) == 0 || size != slicedCellSize(types[c])))
+			throw damaged("a cell has not as many points as its type");
 		std::atomic_ref(starts[c]).store(static_cast<std::int64_t>(piece.first_id + sum), std::memory_order_relaxed);
 		sum += static_cast<std::uint64_t>(size);
 	}
 	if (sum != piece.ids)
-		throw damaged(*contents_.file, "the Offsets of a part do not match it");
+		throw damaged("the Offsets of a part do not match it");
 	// The piece behind it may write the same.
 	std::atomic_ref(starts[piece.cells])
 	    .store(static_cast<std::int64_t>(piece.first_id + sum), std::memory_order_relaxed);
@@ -335,23 +352,22 @@ bool liesOutside(std::span<const std::int32_t> ids, const Number* places, const 
 
 } // namespace
 
-// Turns the ids of a run into those of the whole.
-void PackedCells::takeIds(std::uint32_t number) const
+// Turns ids of a run into those of the whole.
+void PackedCells::takeIds(std::uint32_t number, std::span<std::int32_t> ids) const
 {
 	const Run& run = runs()[number];
 	const std::span<const std::uint32_t> points = pointsOf(run.part);
-	const std::span<std::int32_t> ids(id_memory_->as<std::int32_t>() + first_ids_[number], contents_.run_ids[number]);
 	const auto first = static_cast<std::uint32_t>(contents_.first_ids[run.part]);
 	std::uint32_t largest = 0; // an id below the first becomes a large number
 	for (const std::int32_t id : ids)
 		largest = std::max(largest, static_cast<std::uint32_t>(id) - first);
-	if (largest >= points.size())
-		throw damaged(*contents_.file, "a cell has a point that is not there");
+	if (largest >= points.size() && !ids.empty())
+		throw damaged("a cell has a point that is not there");
 	for (std::int32_t& id : ids)
 		id = static_cast<std::int32_t>(points[static_cast<std::uint32_t>(id) - first]);
 	if (contents_.places.row_bytes == 3 * sizeof(double) ? liesOutside(ids, places_->as<double>(), run.box)
 	                                                     : liesOutside(ids, places_->as<float>(), run.box))
-		throw damaged(*contents_.file, "a point lies outside the box of its cells; pack or index the file again");
+		throw damaged("a point lies outside the box of its cells; pack or index the file again");
 }
 
 } // namespace vp::read

@@ -158,6 +158,14 @@ void takePackedBlock(const json& block, const SharedBytes& arrays, const Readabl
 		contents.types = listOf(lists.at("types"), 1);
 		contents.ends = listOf(lists.at("ends"), sizeof(std::int32_t));
 	}
+	if (runs.contains("faces"))
+	{
+		contents.run_faces = countsOf(arrays, runs.at("faces"));
+		contents.run_face_ids = countsOf(arrays, runs.at("face_ids"));
+		contents.face_ids = listOf(lists.at("face_ids"), sizeof(std::int32_t));
+		contents.face_ends = listOf(lists.at("face_ends"), sizeof(std::int32_t));
+		contents.polyhedron_ends = listOf(lists.at("polyhedron_ends"), sizeof(std::int32_t));
+	}
 	contents.time = countOf(block.at("time"));
 	for (const json& array : block.at("arrays"))
 		if (array.contains("left_out"))

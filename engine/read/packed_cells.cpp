@@ -29,6 +29,12 @@ std::uint64_t sumOf(std::span<const std::uint64_t> counts, std::uint64_t most)
 	return sum;
 }
 
+void refuseOutside(const parts::OpenFile& file, const PackedCells::List& list, std::uint64_t rows)
+{
+	if (list.row_bytes == 0 || list.offset > file.size() || rows > (file.size() - list.offset) / list.row_bytes)
+		throw Unusable("a list of its parts lies outside of the file");
+}
+
 std::shared_ptr<SparseMemory> memoryFor(std::uint64_t rows, std::size_t row_bytes)
 {
 	return std::make_shared<SparseMemory>(rows * row_bytes);
@@ -89,26 +95,25 @@ void PackedCells::check()
 	}
 	if (cells_ >= kMaxBlockIds)
 		throw Unusable("a block of so many cells cannot be held");
-	const auto fitIn = [](const parts::OpenFile& file, const List& list, std::uint64_t count)
-	{
-		if (list.row_bytes == 0 || list.offset > file.size() || count > (file.size() - list.offset) / list.row_bytes)
-			throw Unusable("a list of its parts lies outside of the file");
-	};
-	const auto fit = [&](const List& list, std::uint64_t count) { fitIn(*contents_.file, list, count); };
+	const auto fit = [&](const List& list, std::uint64_t count) { refuseOutside(*contents_.file, list, count); };
 	fit(contents_.places, points);
 	fit(contents_.point_numbers, points);
 	fit(contents_.ids, ids_);
 	fit({contents_.cell_numbers, sizeof(std::uint32_t)}, rows);
+	std::uint64_t ends = 0;
+	for (std::size_t p = 0; p < parts; ++p)
+		ends = std::max(ends, contents_.first_ends[p] + contents_.all_cells[p] + 1);
 	if (!isAlike())
 	{
 		fit(contents_.types, rows);
-		for (std::size_t p = 0; p < parts; ++p)
-			fit(contents_.ends, contents_.first_ends[p] + contents_.all_cells[p] + 1);
+		fit(contents_.ends, ends);
 	}
+	if (hasFaces())
+		checkFaces(ends);
 	rows_of_cells_ = {contents_.places.row_bytes + contents_.point_numbers.row_bytes,
 	                  (isAlike() ? 0 : contents_.types.row_bytes + contents_.ends.row_bytes) +
-	                      (isIndex() ? sizeof(std::uint32_t) : 0),
-	                  contents_.ids.row_bytes};
+	                      (isIndex() ? sizeof(std::uint32_t) : 0) + contents_.polyhedron_ends.row_bytes,
+	                  contents_.ids.row_bytes, contents_.face_ends.row_bytes, contents_.face_ids.row_bytes};
 	for (const ArrayLists& array : contents_.arrays)
 	{
 		if (array.times.size() != times() || contents_.time >= times())
@@ -119,7 +124,7 @@ void PackedCells::check()
 		for (std::size_t time = 0; time < times(); ++time)
 		{
 			if (array.is_in_source)
-				fitIn(*contents_.source, array.at(time), is_of_points ? contents_.all_points : rows);
+				refuseOutside(*contents_.source, array.at(time), is_of_points ? contents_.all_points : rows);
 			else
 				fit(array.at(time), is_of_points ? points : rows);
 			if (const auto ranges = array.times[time].ranges)
@@ -128,6 +133,29 @@ void PackedCells::check()
 		RowBytes& bytes = array.is_in_source ? rows_in_place_ : rows_of_values_;
 		(is_of_points ? bytes.point : bytes.cell) += array.row_bytes;
 	}
+}
+
+// ends: of cells, as the file lists them.
+void PackedCells::checkFaces(std::uint64_t ends)
+{
+	const std::vector<std::uint64_t>&faces = contents_.run_faces, &ids = contents_.run_face_ids;
+	if (faces.size() != runs().size() || ids.size() != runs().size() || isAlike())
+		throw Unusable("the lists of its polyhedra do not match");
+	sumOf(faces, kMaxOfRun); // which refuses what is too much
+	const std::uint64_t all_ids = sumOf(ids, kMaxOfRun);
+	FirstFace next;
+	for (std::size_t r = 0; r < runs().size(); ++r)
+	{
+		first_faces_.push_back(next);
+		next.face += faces[r];
+		next.id += ids[r];
+		next.in_memory += runs()[r].cells + faces[r] + ids[r];
+	}
+	first_faces_.push_back(next);
+	refuseOutside(*contents_.file, contents_.face_ids, all_ids);
+	for (std::uint32_t r = 0; r < runs().size(); ++r)
+		refuseOutside(*contents_.file, contents_.face_ends, firstFaceEndOf(r) + faces[r] + 1);
+	refuseOutside(*contents_.file, contents_.polyhedron_ends, ends);
 }
 
 void PackedCells::takeMemory()
@@ -141,6 +169,11 @@ void PackedCells::takeMemory()
 	ends_ = memoryFor(isAlike() ? 0 : cells_ + 1, sizeof(std::int64_t));
 	if (isIndex())
 		source_cells_ = memoryFor(cells_, sizeof(std::uint32_t));
+	if (hasFaces())
+	{
+		first_of_faces_ = memoryFor(cells_ + 1, sizeof(std::int64_t));
+		face_stream_ = memoryFor(first_faces_.back().in_memory, sizeof(std::int64_t));
+	}
 	types_->data()[0] = std::byte{contents_.type}; // the first tells of all, where they are alike
 }
 
@@ -202,6 +235,11 @@ grid::CellList PackedCells::cells() const
 	if (!isAlike())
 		list.offsets = viewOf<std::int64_t>(ends_, cells_ + 1);
 	list.connectivity = viewOf<std::int32_t>(id_memory_, ids_);
+	if (hasFaces())
+	{
+		list.face_offsets = viewOf<std::int64_t>(first_of_faces_, cells_ + 1);
+		list.face_stream = viewOf<std::int64_t>(face_stream_, first_faces_.back().in_memory);
+	}
 	return list;
 }
 
@@ -259,7 +297,9 @@ std::uint64_t PackedCells::bytesOfPart(std::uint32_t part, const RowBytes& rows)
 
 std::uint64_t PackedCells::bytesOfRun(std::uint32_t run, const RowBytes& rows) const
 {
-	return contents_.run_ids[run] * rows.id + runs()[run].cells * rows.cell;
+	const std::uint64_t of_faces =
+	    hasFaces() ? contents_.run_faces[run] * rows.face + contents_.run_face_ids[run] * rows.face_id : 0;
+	return contents_.run_ids[run] * rows.id + runs()[run].cells * rows.cell + of_faces;
 }
 
 std::uint64_t PackedCells::bytesOf(const std::vector<bool>& has, const RowBytes& rows) const

@@ -62,16 +62,21 @@ public:
 		std::vector<std::uint64_t> all_cells{};          // for each part, with those that have no run
 		// For each part its points, the id with which they begin, and the row in the list of ends where it begins.
 		std::vector<std::uint64_t> points{}, first_ids{}, first_ends{};
-		std::uint64_t all_points = 0;     // those of several parts count once
-		std::uint8_t type = 0;            // that all cells have; 0 if they have several
-		List places{};                    // three floats or doubles a point
-		List point_numbers{};             // uint32: in the whole
-		List ids{};                       // int32: of points of the part
-		std::uint64_t cell_numbers = 0;   // offset; uint32: in the file that was packed
-		List types{};                     // uint8; only if cells have several types
-		List ends{};                      // int32, likewise: one more than cells
-		std::vector<ArrayLists> arrays{}; // all with as many times
-		std::size_t time = 0;             // whose values are wanted
+		std::uint64_t all_points = 0;   // those of several parts count once
+		std::uint8_t type = 0;          // that all cells have; 0 if they have several
+		List places{};                  // three floats or doubles a point
+		List point_numbers{};           // uint32: in the whole
+		List ids{};                     // int32: of points of the part
+		std::uint64_t cell_numbers = 0; // offset; uint32: in the file that was packed
+		List types{};                   // uint8; only if cells have several types
+		List ends{};                    // int32, likewise: one more than cells
+		// Where some cells are polyhedra. Each has faces of its own, which follow each other.
+		std::vector<std::uint64_t> run_faces{}, run_face_ids{}; // for each run its faces, and the ids of their points
+		List face_ids{};                                        // int32: of points of the part
+		List face_ends{};                                       // int32: where the ids of each face end
+		List polyhedron_ends{};                                 // int32: where the faces of each cell end
+		std::vector<ArrayLists> arrays{};                       // all with as many times
+		std::size_t time = 0;                                   // whose values are wanted
 	};
 
 	// Throws Unusable if the lists cannot be, or do not lie in the file.
@@ -112,6 +117,14 @@ private:
 		std::uint64_t first_id = 0;
 		std::uint64_t ids = 0;
 	};
+	// Where the faces of a run begin: among all, with their ids, and in memory, where each cell and face has a number
+	// in front.
+	struct FirstFace
+	{
+		std::uint64_t face = 0;
+		std::uint64_t id = 0;
+		std::uint64_t in_memory = 0;
+	};
 	// Runs and parts that are in memory.
 	struct Kept
 	{
@@ -129,6 +142,8 @@ private:
 		std::size_t point = 0;
 		std::size_t cell = 0;
 		std::size_t id = 0;
+		std::size_t face = 0;
+		std::size_t face_id = 0;
 	};
 	// The ranges of an array's values in each run, at the time that is wanted.
 	struct Ranges
@@ -140,7 +155,9 @@ private:
 	using Extents = std::vector<std::pair<std::uint64_t, std::uint64_t>>;
 
 	bool isAlike() const { return contents_.type != 0; }
+	bool hasFaces() const { return !contents_.run_faces.empty(); }
 	void check();
+	void checkFaces(std::uint64_t ends);
 	void takeMemory();
 	void takeMemoryOfValues();
 	Kept nothing() const { return {std::vector<bool>(runs().size()), std::vector<bool>(contents_.points.size())}; }
@@ -165,8 +182,12 @@ private:
 	void notePoints(std::uint32_t part, const Memory& there) const;
 	void readPiece(const Piece& piece) const;
 	void readCellValues(const Piece& piece) const;
+	parts::Unreadable damaged(const char* reason) const;
+	std::uint64_t firstEndOf(std::uint32_t run) const;
+	std::uint64_t firstFaceEndOf(std::uint32_t run) const;
 	void takeTypes(const Piece& piece) const;
-	void takeIds(std::uint32_t run) const;
+	void takeIds(std::uint32_t run, std::span<std::int32_t> ids) const;
+	void takeFaces(std::uint32_t run) const;
 	std::uint64_t bytesOfPart(std::uint32_t part, const RowBytes& rows) const;
 	std::uint64_t bytesOfRun(std::uint32_t run, const RowBytes& rows) const;
 	std::uint64_t bytesOf(const std::vector<bool>& runs, const RowBytes& rows) const;
@@ -179,6 +200,7 @@ private:
 	Contents contents_;
 	std::vector<Part> parts_;
 	std::vector<std::uint64_t> first_ids_; // for each run
+	std::vector<FirstFace> first_faces_;   // likewise, and behind the last
 	std::uint64_t cells_ = 0, ids_ = 0;    // in all runs
 	std::uint64_t all_rows_ = 0;           // cells, with those that have no run
 	RowBytes rows_of_cells_, rows_of_values_;
@@ -186,6 +208,7 @@ private:
 	std::optional<std::size_t> next_time_; // that is asked for when the values of this one were read
 
 	Memory places_, point_numbers_, id_memory_, types_, ends_;
+	Memory first_of_faces_, face_stream_; // those of grid::CellList
 	std::vector<Memory> arrays_;
 	Memory source_cells_;                             // for each cell its number in the file that an index is of
 	std::vector<std::unique_ptr<PagedValues>> paged_; // for each array the values there, or null

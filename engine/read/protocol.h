@@ -69,18 +69,19 @@ namespace vp::read
 //
 // With PARTS "places", the block of a pack whose lists lie in the file as they are in memory is of kind "packed". It
 // has "file", "type" of all cells or 0, "type_of_points", "runs": {"boxes": array of float64, lo and hi of each, and as
-// arrays of uint64 "cells", "ids", "parts"}, and for each part as arrays of uint64 "part_cells", "part_points",
-// "part_first_ids", with which the ids of its points begin, and "part_first_ends", its first row in "ends". What else
-// it would have stays in the file: "lists" has the offsets of "points", "point_numbers", "ids", "cell_numbers", and of
-// "types" and "ends" where "type" is 0 (docs/FORMATS.md); each of the "arrays" has "times" and no "bytes": for each
-// time of the file an "offset" and "facts", and maybe "ranges", the offset of its RunRanges; "time" is the index of the
-// one that was asked for; and "pack" has no "numbers". "source" is an empty list. If the file is the index of another
-// one, it has the five numbers of read::SourceStamp, and the offsets of arrays that are "in_source" are places in that
-// other file, where numbers may have the other order of bytes ("swaps"). Other files are read as if PARTS was empty.
+// arrays of uint64 "cells", "ids", "parts", with polyhedra also "faces", "face_ids"}, and for each part as arrays of
+// uint64 "part_cells", "part_points", "part_first_ids", with which the ids of its points begin, and "part_first_ends",
+// its first row in "ends". What else it would have stays in the file: "lists" has the offsets of "points",
+// "point_numbers", "ids", "cell_numbers", and of "types" and "ends" where "type" is 0, of "face_ids", "face_ends" and
+// "polyhedron_ends" with polyhedra (docs/FORMATS.md); each of the "arrays" has "times" and no "bytes": for each time of
+// the file an "offset" and "facts", and maybe "ranges", the offset of its RunRanges; "time" is the index of the one
+// that was asked for; and "pack" has no "numbers". "source" is an empty list. If the file is the index of another one,
+// it has the five numbers of read::SourceStamp, and the offsets of arrays that are "in_source" are places in that other
+// file, where numbers may have the other order of bytes ("swaps"). Other files are read as if PARTS was empty.
 //
 // Started as "vprobe-read copies", it reads nothing and makes copies of itself, which are as if started with the
 // arguments above; see ready_reader.h.
-constexpr int kProtocolVersion = 22;
+constexpr int kProtocolVersion = 23;
 constexpr int kArraysFd = 3;
 constexpr int kManifestFd = 4;
 constexpr int kCellsFd = 5;

@@ -35,6 +35,7 @@ import models
 import n5
 import newest
 import odd
+import packed_polyhedra
 import packed_times
 import packs
 import parts
@@ -52,7 +53,7 @@ def chosen_cases():
              conversion.CASES + conventions.CASES + far.CASES + stacks.CASES + curved.CASES +
              ensight.CASES + models.CASES + damage.CASES + pictures.CASES + labels.CASES + everyday.CASES +
              parts.CASES + newest.CASES + scans.CASES + stacked.CASES + zarr3.CASES + n5.CASES + packs.CASES +
-             packed_times.CASES + indices.CASES + indexed_formats.CASES)
+             packed_times.CASES + packed_polyhedra.CASES + indices.CASES + indexed_formats.CASES)
     wanted = sys.argv[2] if len(sys.argv) > 2 else '1/1'
     if wanted == 'drawn':
         return drawn.CASES

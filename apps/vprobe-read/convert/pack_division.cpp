@@ -29,9 +29,8 @@ void PackBox::include(const std::array<double, 3>& at)
 }
 
 PackDivision::PackDivision(vtkUnstructuredGrid* grid, std::size_t most_cells, int threads)
-    : grid_(grid), types_(grid->GetCellTypesArray()->GetPointer(0),
-                          static_cast<std::size_t>(grid->GetCellTypesArray()->GetNumberOfValues())),
-      places_(grid->GetPoints()->GetData()), threads_(threads)
+    : grid_(grid), polyhedra_(grid), types_(polyhedra_.types()), places_(grid->GetPoints()->GetData()),
+      threads_(threads)
 {
 	if (places_->GetDataType() == VTK_FLOAT)
 		singles_ = static_cast<const float*>(places_->GetVoidPointer(0));
@@ -52,12 +51,20 @@ std::span<const std::uint32_t> PackDivision::cells(std::size_t part) const
 	return std::span(order_).subspan(begin, cell_ends_[part] - begin);
 }
 
-std::size_t PackDivision::ids(std::size_t part) const
+std::size_t PackDivision::sumOf(std::size_t part, std::uint32_t PackRun::*count) const
 {
-	std::size_t ids = 0;
+	std::size_t sum = 0;
 	for (const PackRun& run : runs_[part])
-		ids += run.ids;
-	return ids;
+		sum += run.*count;
+	return sum;
+}
+
+std::size_t PackDivision::sumOf(std::uint32_t PackRun::*count) const
+{
+	std::size_t sum = 0;
+	for (std::size_t part = 0; part < parts(); ++part)
+		sum += sumOf(part, count);
+	return sum;
 }
 
 std::size_t PackDivision::allPoints() const
@@ -65,14 +72,6 @@ std::size_t PackDivision::allPoints() const
 	std::size_t sum = 0;
 	for (const std::vector<std::uint32_t>& of_part : points_)
 		sum += of_part.size();
-	return sum;
-}
-
-std::size_t PackDivision::allIds() const
-{
-	std::size_t sum = 0;
-	for (std::size_t part = 0; part < parts(); ++part)
-		sum += ids(part);
 	return sum;
 }
 
@@ -86,7 +85,8 @@ std::size_t PackDivision::allRuns() const
 
 bool PackDivision::areAlike() const
 {
-	return std::ranges::all_of(types_, [this](std::uint8_t type) { return type == types_[0]; });
+	return !polyhedra_.hasPolyhedra() &&
+	       std::ranges::all_of(types_, [this](std::uint8_t type) { return type == types_[0]; });
 }
 
 void PackDivision::forEach(std::size_t count, const std::function<void(std::size_t)>& work) const
@@ -102,9 +102,8 @@ void PackDivision::refuseUnpackable() const
 	if (grid_->GetNumberOfPoints() > most || grid_->GetNumberOfCells() > most)
 		throw Refusal("has more than 4 294 967 295 points or cells; pack it in several files");
 	for (const std::uint8_t type : types_)
-		if (type == read::kPolyhedron || (read::cellDimension(type) == 3 && !read::canBeSliced(type)))
-			throw Refusal(fmt::format("has {}, which are not packed yet; use it as it is",
-			                          type == read::kPolyhedron ? "polyhedra" : "curved cells"));
+		if (read::cellDimension(type) == 3 && !read::canBeSliced(type))
+			throw Refusal("has curved cells, which are not packed yet; use it as it is");
 	const vtkIdType points = grid_->GetNumberOfPoints();
 	withLists(
 	    [&](const auto* offsets, const auto* ids)
@@ -119,6 +118,26 @@ void PackDivision::refuseUnpackable() const
 				            throw damaged("a cell has a point that is not there");
 		            });
 	    });
+	if (polyhedra_.hasPolyhedra())
+		refuseBadFaces();
+}
+
+void PackDivision::refuseBadFaces() const
+{
+	const vtkIdType points = grid_->GetNumberOfPoints();
+	constexpr std::size_t at_once = 1 << 12;
+	forEach((types_.size() + at_once - 1) / at_once,
+	        [&](std::size_t block)
+	        {
+		        for (std::size_t cell = block * at_once; cell < std::min(types_.size(), (block + 1) * at_once); ++cell)
+			        polyhedra_.forEachFace(
+			            cell,
+			            [points](std::span<const vtkIdType> face)
+			            {
+				            if (std::ranges::any_of(face, [&](vtkIdType id) { return id < 0 || id >= points; }))
+					            throw damaged("a face has a point that is not there");
+			            });
+	        });
 }
 
 // Where the middle of a cell's points lies. A cell without a place is put at the beginning.
@@ -147,10 +166,13 @@ std::uint64_t PackDivision::placeOnCurve(const Id* begin, const Id* end, const P
 template <class Id>
 bool PackDivision::isSeen(std::size_t cell, const Id* begin, const Id* end, std::span<const std::uint8_t> marks) const
 {
-	const auto hasPlace = [this](Id id)
+	const auto hasPlace = [this](vtkIdType id)
 	{ return std::ranges::all_of(place(static_cast<std::size_t>(id)), read::isPlace); };
-	return read::cellDimension(types_[cell]) == 3 && (marks.empty() || !(marks[cell] & cells::kHiddenCellBits)) &&
-	       std::all_of(begin, end, hasPlace);
+	bool is_seen = read::cellDimension(types_[cell]) == 3 &&
+	               (marks.empty() || !(marks[cell] & cells::kHiddenCellBits)) && std::all_of(begin, end, hasPlace);
+	polyhedra_.forEachFace(cell, [&](std::span<const vtkIdType> face)
+	                       { is_seen = is_seen && std::ranges::all_of(face, hasPlace); });
+	return is_seen;
 }
 
 void PackDivision::divideCells(std::size_t most_cells)
@@ -236,20 +258,30 @@ void PackDivision::choosePointsOf(std::size_t part, std::size_t first_run, const
 	{
 		++number;
 		of_run.clear();
+		const auto include = [&](std::uint32_t id)
+		{
+			const std::uint32_t last = std::exchange(last_run[id], number);
+			if (last == number)
+				return;
+			of_run.push_back(id);
+			if (last <= first_run)
+				of_part.push_back(id);
+			if (part < seen_parts_)
+				run.box.include(place(id));
+		};
 		for (const std::uint32_t cell : cells.first(std::min(cells_of_run_, cells.size())))
-			for (auto i = offsets[cell]; i < endOf(cell, offsets); ++i)
-			{
-				++run.ids;
-				const auto id = static_cast<std::uint32_t>(ids[i]);
-				const std::uint32_t last = std::exchange(last_run[id], number);
-				if (last == number)
-					continue;
-				of_run.push_back(id);
-				if (last <= first_run)
-					of_part.push_back(id);
-				if (part < seen_parts_)
-					run.box.include(place(id));
-			}
+		{
+			for (auto i = offsets[cell]; i < endOf(cell, offsets); ++i, ++run.ids)
+				include(static_cast<std::uint32_t>(ids[i]));
+			polyhedra_.forEachFace(cell,
+			                       [&](std::span<const vtkIdType> face)
+			                       {
+				                       ++run.faces;
+				                       run.face_ids += static_cast<std::uint32_t>(face.size());
+				                       for (const vtkIdType id : face)
+					                       include(static_cast<std::uint32_t>(id));
+			                       });
+		}
 		run.points.assign(of_run.begin(), of_run.end());
 		cells = cells.subspan(std::min(cells_of_run_, cells.size()));
 	}

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pack_faces.h"
 #include "read/cell_types.h"
 
 #include <vtkCellArray.h>
@@ -34,6 +35,8 @@ struct PackRun
 {
 	PackBox box;
 	std::uint32_t ids = 0;             // that the cells list
+	std::uint32_t faces = 0;           // that polyhedra have
+	std::uint32_t face_ids = 0;        // that these faces list
 	std::vector<std::uint32_t> points; // that they have, each once
 };
 
@@ -51,9 +54,15 @@ public:
 	std::span<const std::uint32_t> points(std::size_t part) const { return points_[part]; }
 	const std::vector<PackRun>& runs(std::size_t part) const { return runs_[part]; }
 	std::size_t cellsOfRun() const { return cells_of_run_; } // the last run of a part may have fewer
-	std::size_t ids(std::size_t part) const;
-	std::size_t allPoints() const; // the sum over all parts
-	std::size_t allIds() const;
+	// Return sums over the runs of a part: how many ids its cells list, faces its polyhedra have, and ids these list.
+	std::size_t ids(std::size_t part) const { return sumOf(part, &PackRun::ids); }
+	std::size_t faces(std::size_t part) const { return sumOf(part, &PackRun::faces); }
+	std::size_t faceIds(std::size_t part) const { return sumOf(part, &PackRun::face_ids); }
+	// Return sums over all parts.
+	std::size_t allPoints() const;
+	std::size_t allIds() const { return sumOf(&PackRun::ids); }
+	std::size_t allFaces() const { return sumOf(&PackRun::faces); }
+	std::size_t allFaceIds() const { return sumOf(&PackRun::face_ids); }
 	std::size_t allRuns() const;
 
 	// Counts the cells that nobody sees.
@@ -65,8 +74,9 @@ public:
 	};
 	const LeftOut& leftOut() const { return left_out_; }
 
-	std::span<const std::uint8_t> types() const { return types_; } // VTK's, as the grid numbers its cells
-	bool areAlike() const;                                         // whether all have one type
+	std::span<const std::uint8_t> types() const { return types_; } // as the grid numbers its cells, without prisms
+	bool areAlike() const;                                         // whether all have one type, and are no polyhedra
+	const PackFaces& polyhedra() const { return polyhedra_; }
 	std::array<double, 3> place(std::size_t point) const
 	{
 		std::array<double, 3> at;
@@ -100,7 +110,10 @@ public:
 	void forEach(std::size_t count, const std::function<void(std::size_t)>& work) const;
 
 private:
+	std::size_t sumOf(std::size_t part, std::uint32_t PackRun::*count) const;
+	std::size_t sumOf(std::uint32_t PackRun::*count) const;
 	void refuseUnpackable() const;
+	void refuseBadFaces() const;
 	void divideCells(std::size_t most_cells);
 	void countLeftOut(std::span<const std::uint32_t> cells, std::span<const std::uint8_t> marks);
 	void choosePoints();
@@ -112,6 +125,7 @@ private:
 	std::uint64_t placeOnCurve(const Id* begin, const Id* end, const PackBox& bounds) const;
 
 	vtkUnstructuredGrid* grid_;
+	PackFaces polyhedra_;
 	std::span<const std::uint8_t> types_;
 	vtkDataArray* places_;
 	const float* singles_ = nullptr; // the places, if they are of this type

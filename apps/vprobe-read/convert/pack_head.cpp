@@ -15,7 +15,7 @@ namespace vp::reader::convert
 namespace
 {
 
-void writeCounts(const PackPartitions& partitions, hid_t root)
+void writeCounts(const PackPartitions& partitions, bool has_polyhedra, hid_t root)
 {
 	const auto write = [&](const char* name, std::int64_t PackPartitions::Counts::*count)
 	{
@@ -27,6 +27,11 @@ void writeCounts(const PackPartitions& partitions, hid_t root)
 	write("NumberOfPoints", &PackPartitions::Counts::points);
 	write("NumberOfCells", &PackPartitions::Counts::cells);
 	write("NumberOfConnectivityIds", &PackPartitions::Counts::ids);
+	if (!has_polyhedra)
+		return;
+	write("NumberOfFaces", &PackPartitions::Counts::faces);
+	write("NumberOfPolyhedronToFaceIds", &PackPartitions::Counts::faces);
+	write("NumberOfFaceConnectivityIds", &PackPartitions::Counts::face_ids);
 }
 
 void writeParts(const PackDivision& division, hid_t own)
@@ -50,20 +55,28 @@ vtkIdType pointsOfNoCell(vtkUnstructuredGrid* grid, const PackDivision& division
 	return std::ranges::count(has_cell, false);
 }
 
-// A box and the number of ids for each run of cells.
+// A box for each run of cells, and how many ids and faces it has.
 void writeRuns(const PackDivision& division, hid_t own)
 {
 	static_assert(sizeof(PackBox) == 6 * sizeof(double));
 	std::vector<PackBox> boxes;
-	std::vector<std::uint32_t> counts;
 	for (std::size_t part = 0; part < division.parts(); ++part)
 		for (const PackRun& run : division.runs(part))
-		{
 			boxes.push_back(run.box);
-			counts.push_back(run.ids);
-		}
 	writeValues(own, "Boxes", H5T_NATIVE_DOUBLE, {boxes.size(), 6}, boxes.data());
-	writeValues(own, "NumberOfConnectivityIds", H5T_NATIVE_UINT32, {counts.size()}, counts.data());
+	const auto write = [&](const char* name, std::uint32_t PackRun::*count)
+	{
+		std::vector<std::uint32_t> counts;
+		for (std::size_t part = 0; part < division.parts(); ++part)
+			for (const PackRun& run : division.runs(part))
+				counts.push_back(run.*count);
+		writeValues(own, name, H5T_NATIVE_UINT32, {counts.size()}, counts.data());
+	};
+	write("NumberOfConnectivityIds", &PackRun::ids);
+	if (!division.polyhedra().hasPolyhedra())
+		return;
+	write("NumberOfFaces", &PackRun::faces);
+	write("NumberOfFaceConnectivityIds", &PackRun::face_ids);
 }
 
 // A camera is set so that it sees all of them.
@@ -101,7 +114,7 @@ void writePackHead(vtkUnstructuredGrid* grid, const PackDivision& division, cons
 	writeAttribute(own, "CellsWithoutPlace", H5T_NATIVE_INT64, count(left_out.unplaced));
 	if (division.areAlike())
 		writeAttribute(own, "CellType", H5T_NATIVE_INT64, count(division.types()[0]));
-	writeCounts(partitions, root);
+	writeCounts(partitions, division.polyhedra().hasPolyhedra(), root);
 	writeParts(division, own);
 	writeRuns(division, own);
 	writeFarthestPoints(grid, division, own);

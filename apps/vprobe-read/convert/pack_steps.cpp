@@ -8,7 +8,7 @@
 namespace vp::reader::convert
 {
 
-void writePackSteps(hid_t root, const std::vector<double>& times, std::size_t partitions,
+void writePackSteps(hid_t root, const std::vector<double>& times, std::size_t partitions, bool has_polyhedra,
                     std::span<const StepsOfArray> arrays)
 {
 	const std::size_t count = times.size();
@@ -25,6 +25,9 @@ void writePackSteps(hid_t root, const std::vector<double>& times, std::size_t pa
 	writeList(steps, "NumberOfParts", partitions, 0);
 	for (const char* same : {"PartOffsets", "PointOffsets", "CellOffsets", "ConnectivityIdOffsets"})
 		writeList(steps, same, 0, 0);
+	if (has_polyhedra)
+		for (const char* same : {"FaceConnectivityOffsets", "FaceOffsetsOffsets", "PolyhedronToFaceIdOffsets"})
+			writeList(steps, same, 0, 0);
 	const Handle of_points = groupInOrder(steps, "PointDataOffsets");
 	const Handle of_cells = groupInOrder(steps, "CellDataOffsets");
 	for (const StepsOfArray& array : arrays)

@@ -19,8 +19,8 @@ struct StepsOfArray
 };
 
 // Says where the values of each time are, as VTKHDF 2.0 does. All times have the same points and cells, in so many
-// partitions. root: the group of the data set. Throws NoRoom.
-void writePackSteps(hid_t root, const std::vector<double>& times, std::size_t partitions,
+// partitions, and maybe polyhedra. root: the group of the data set. Throws NoRoom.
+void writePackSteps(hid_t root, const std::vector<double>& times, std::size_t partitions, bool has_polyhedra,
                     std::span<const StepsOfArray> arrays);
 
 } // namespace vp::reader::convert

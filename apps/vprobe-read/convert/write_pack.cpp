@@ -1,6 +1,6 @@
 // An unstructured grid in parts that lie together in space: VTKHDF 1.0 in partitions, or 2.0 with several times, which
-// VTK reads, and beside it a group `vprobe` that other programs pass over. docs/FORMATS.md describes the group. An
-// index is a pack without the values of arrays, which stay in the file that it is of.
+// VTK reads, or 2.5 with polyhedra, and beside it a group `vprobe` that other programs pass over. docs/FORMATS.md
+// describes the group. An index is a pack without the values of arrays, which stay in the file that it is of.
 #include "convert.h"
 #include "hdf5_output.h"
 #include "indexed_file.h"
@@ -72,6 +72,9 @@ public:
 		addCells(root_, own_);
 		if (!indexed_ || !division_.areAlike())
 			addTypes(root_);
+		if (division_.polyhedra().hasPolyhedra())
+			for (PackList& list : listsOfFaces(division_, partitions_))
+				add(root_, list.name, H5T_NATIVE_INT32, {list.rows}, std::move(list.rowsOf), std::move(list.gather));
 		addArrays("PointData", grid_->GetPointData(), true);
 		addArrays("CellData", grid_->GetCellData(), false);
 		writeVersion();
@@ -242,12 +245,16 @@ private:
 		}
 	}
 
-	// Older versions of the program look for all arrays of an index in its file, as this machine writes numbers.
+	// Older versions of the program look for all arrays of an index in its file, as this machine writes numbers, and
+	// for no faces.
 	void writeVersion() const
 	{
 		const bool is_plain = std::ranges::none_of(arrays_, [this](const PackedArray& array)
 		                                           { return indexed_ && (array.rows || array.swaps); });
-		const std::int64_t version = !is_plain ? 3 : times_.areSeveral() ? 2 : 1;
+		const std::int64_t version = division_.polyhedra().hasPolyhedra() ? 4
+		                             : !is_plain                          ? 3
+		                             : times_.areSeveral()                ? 2
+		                                                                  : 1;
 		writeAttribute(own_, "Version", H5T_NATIVE_INT64, std::array<std::int64_t, 2>{version, 0});
 	}
 
@@ -257,7 +264,8 @@ private:
 		for (const PackedArray& array : arrays_)
 			if (array.rows)
 				steps.push_back({array.on_points, array.name, array.rows_of_time});
-		writePackSteps(root_, times_.times(), partitions_.partitions().size(), steps);
+		writePackSteps(root_, times_.times(), partitions_.partitions().size(), division_.polyhedra().hasPolyhedra(),
+		               steps);
 	}
 
 	struct PackedArray
@@ -311,18 +319,23 @@ std::deque<PackWriter> writersOf(const std::vector<KeptBlock>& blocks, const Tim
 	std::deque<PackWriter> writers;
 	if (blocks.size() == 1)
 	{
-		writeKind(root, times.times.size() > 1 ? 2 : 1, 0, "UnstructuredGrid");
-		writers.emplace_back(vtkUnstructuredGrid::SafeDownCast(blocks[0].data), times, request.cells_of_part,
-		                     request.threads, std::move(root), std::move(own), indexed);
+		auto* grid = vtkUnstructuredGrid::SafeDownCast(blocks[0].data);
+		const bool has_polyhedra = PackFaces(grid).hasPolyhedra();
+		writeKind(root, has_polyhedra || times.times.size() > 1 ? 2 : 1, has_polyhedra ? 5 : 0, "UnstructuredGrid");
+		writers.emplace_back(grid, times, request.cells_of_part, request.threads, std::move(root), std::move(own),
+		                     indexed);
 		return writers;
 	}
-	writeKind(root, 2, 1, "PartitionedDataSetCollection");
+	const auto hasPolyhedra = [](const KeptBlock& block)
+	{ return PackFaces(vtkUnstructuredGrid::SafeDownCast(block.data)).hasPolyhedra(); };
+	const int minor = std::ranges::any_of(blocks, hasPolyhedra) ? 5 : 1;
+	writeKind(root, 2, minor, "PartitionedDataSetCollection");
 	const Handle tree = groupInOrder(root, "Assembly");
 	for (const KeptBlock& block : blocks)
 	{
 		const std::string name = nameInGroup(root, block.name.empty() ? "block" : block.name);
 		Handle of_block = groupInOrder(root, name.c_str());
-		writeKind(of_block, 2, 1, "UnstructuredGrid");
+		writeKind(of_block, 2, minor, "UnstructuredGrid");
 		writeAttribute(of_block, "Index", H5T_NATIVE_INT64, std::array{static_cast<std::int64_t>(writers.size())});
 		checked(H5Lcreate_soft(("/VTKHDF/" + name).c_str(), tree, name.c_str(), H5P_DEFAULT, H5P_DEFAULT));
 		writers.emplace_back(vtkUnstructuredGrid::SafeDownCast(block.data), times, request.cells_of_part,

@@ -289,11 +289,30 @@ UnstructuredGrid UnstructuredGrid::buildPart(const UnstructuredGrid& listed, std
 	std::vector<std::uint8_t> types;
 	std::vector<std::int64_t> offsets{0}, sources(cells.begin(), cells.end());
 	std::vector<std::int32_t> ids;
+	std::vector<std::int64_t> faces, first_faces{0};
 	for (const CellId cell : cells)
 	{
 		types.push_back(all.types[cell]);
-		all.forEachPoint(cell, [&](std::int64_t p) { ids.push_back(points.rank(p)); });
+		if (all.isPolyhedron(cell))
+		{
+			faces.push_back(static_cast<std::int64_t>(all.faceCount(cell)));
+			all.forEachFace(cell,
+			                [&](std::span<const std::int64_t> face)
+			                {
+				                faces.push_back(static_cast<std::int64_t>(face.size()));
+				                for (const std::int64_t p : face)
+					                faces.push_back(points.rank(p));
+			                });
+		}
+		else
+			all.forEachPoint(cell, [&](std::int64_t p) { ids.push_back(points.rank(p)); });
 		offsets.push_back(static_cast<std::int64_t>(ids.size()));
+		first_faces.push_back(static_cast<std::int64_t>(faces.size()));
+	}
+	if (!faces.empty())
+	{
+		part.face_offsets = std::move(first_faces);
+		part.face_stream = std::move(faces);
 	}
 	part.types = std::move(types);
 	part.offsets = std::move(offsets);

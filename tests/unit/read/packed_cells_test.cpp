@@ -9,6 +9,8 @@
 
 #include <functional>
 #include <initializer_list>
+#include <span>
+#include <vector>
 
 using namespace vp;
 using namespace vp::read;
@@ -31,6 +33,10 @@ struct TwoParts
 	std::vector<std::int16_t> later_g{-1, -2, -3, -4};
 	std::uint8_t type = grid::kTetra;
 	std::vector<std::int32_t> ends{0, 4, 0, 4};
+	// If the second one is a polyhedron in another partition: the points of its faces, and ends as VTKHDF has them.
+	std::vector<std::int32_t> face_ids{0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+	std::vector<std::int32_t> face_ends{0, 0, 3, 6, 9, 12};
+	std::vector<std::int32_t> polyhedron_ends{0, 0, 0, 4};
 
 	template <class T>
 	PackedCells::List list(const std::vector<T>& values, std::size_t in_row)
@@ -76,6 +82,21 @@ struct TwoParts
 		return contents;
 	}
 };
+
+PackedCells::Contents withPolyhedron(TwoParts& two)
+{
+	two.type = 0;
+	PackedCells::Contents contents = two.contents();
+	contents.types = two.list(std::vector<std::uint8_t>{grid::kTetra, grid::kPolyhedron}, 1);
+	contents.run_faces = {0, 4};
+	contents.run_face_ids = {0, 12};
+	contents.face_ids = two.list(two.face_ids, 1);
+	contents.face_ends = two.list(two.face_ends, 1);
+	contents.polyhedron_ends = two.list(two.polyhedron_ends, 1);
+	writeContents(two.path, two.bytes);
+	contents.file = std::make_shared<const parts::OpenFile>(two.path);
+	return contents;
+}
 
 std::vector<std::int64_t> idsOf(const PackedCells& cells)
 {
@@ -183,6 +204,65 @@ TEST(PackedCells, AreReadRunByRun)
 		EXPECT_EQ(use.bytes_met, 2 * (of_part + of_run));
 		EXPECT_EQ(use.bytes_read, of_part + of_run);
 	}
+}
+
+TEST(PackedCells, HaveTheFacesOfPolyhedra)
+{
+	TwoParts two;
+	const auto cells = std::make_shared<PackedCells>(withPolyhedron(two));
+	fetch(*cells, {1});
+	const grid::CellList list = cells->cells();
+	EXPECT_EQ(list.types[1], grid::kPolyhedron);
+	std::vector<std::vector<std::int64_t>> faces;
+	list.forEachFace(1, [&](std::span<const std::int64_t> face) { faces.emplace_back(face.begin(), face.end()); });
+	EXPECT_EQ(faces, (std::vector<std::vector<std::int64_t>>{{1, 3, 2}, {1, 2, 4}, {2, 3, 4}, {3, 1, 4}}));
+	const std::uint64_t of_faces = 12 * 4 + 4 * 4 + 4; // ids, ends, and the end of the cell's
+	EXPECT_EQ(cells->use().bytes_read, 4 * (12 + 4 + 8) + 16 + 4 + 1 + 4 + of_faces);
+	const auto grid = std::get<grid::UnstructuredGrid>(blockOf(cells).grid);
+	EXPECT_EQ(grid.faceCount(1), 4);
+
+	fetch(*cells, {0});
+	const std::vector<CellId> both{0, 1};
+	const grid::UnstructuredGrid linked = grid::UnstructuredGrid::buildPart(grid, both);
+	std::vector<std::size_t> neighbors; // the polyhedron has one: the tetrahedron, across the face that both have
+	for (CellId c = 0; c < linked.cellCount(); ++c)
+		if (linked.sourceCell(c) == 1)
+			for (int f = 0; f < linked.faceCount(c); ++f)
+				linked.forEachNeighbor(c, f, [&](CellId n) { neighbors.push_back(linked.sourceCell(n)); });
+	EXPECT_EQ(neighbors, std::vector<std::size_t>{0});
+}
+
+TEST(PackedCells, WithFacesThatCannotBeAreRefused)
+{
+	const auto refuses = [](const std::function<void(TwoParts&)>& damage)
+	{
+		TwoParts two;
+		damage(two);
+		PackedCells cells(withPolyhedron(two));
+		EXPECT_THROW(fetch(cells, {1}), parts::Unreadable);
+	};
+	refuses([](TwoParts& two) { two.face_ids[3] = 4; });
+	refuses([](TwoParts& two) { two.face_ids[3] = -1; });
+	refuses([](TwoParts& two) { two.face_ends = {0, 0, 2, 6, 9, 12}; }); // a face of two points
+	refuses([](TwoParts& two) { two.face_ends = {0, 0, 3, 9, 6, 12}; });
+	refuses([](TwoParts& two) { two.face_ends = {0, 0, 3, 6, 9, 11}; });
+	refuses([](TwoParts& two) { two.polyhedron_ends = {0, 0, 0, 3}; });
+	refuses([](TwoParts& two) { two.polyhedron_ends = {0, 0, -2000000000, 2000000000}; });
+	refuses([](TwoParts& two) { two.places[21] = 3.5f; }); // outside the box
+
+	const auto contradicts = [](const std::function<void(PackedCells::Contents&)>& damage)
+	{
+		TwoParts two;
+		PackedCells::Contents contents = withPolyhedron(two);
+		damage(contents);
+		EXPECT_THROW(PackedCells cells(contents), Unusable);
+	};
+	contradicts([](PackedCells::Contents& contents) { contents.run_faces.pop_back(); });
+	contradicts([](PackedCells::Contents& contents) { contents.run_face_ids = {0, std::uint64_t(1) << 33}; });
+	contradicts([](PackedCells::Contents& contents) { contents.face_ids.offset = contents.file->size() - 40; });
+	contradicts([](PackedCells::Contents& contents) { contents.face_ends.offset = contents.file->size() - 8; });
+	contradicts([](PackedCells::Contents& contents) { contents.polyhedron_ends.row_bytes = 0; });
+	contradicts([](PackedCells::Contents& contents) { contents.type = grid::kTetra; });
 }
 
 // The pack is an index: the values of points lie in another file, and those of cells do not.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "vprobe-read/base/refusal.h"
 #include "vprobe-read/hdf5/hdf5_rows.h"
 #include "vtkhdf_pack.h"
 #include "vtkhdf_steps.h"
@@ -23,6 +24,10 @@ struct PackRun
 	std::uint64_t cells;
 	std::uint64_t first_id;
 	std::uint64_t ids;
+	std::uint64_t first_face; // those of polyhedra
+	std::uint64_t faces;
+	std::uint64_t first_face_id;
+	std::uint64_t face_ids;
 };
 
 // The different values of integers, and how often they change.
@@ -40,6 +45,7 @@ struct PackParts
 	std::vector<std::uint64_t> first_ids;               // with which the ids of its points begin
 	std::vector<std::uint64_t> first_cells, first_ends; // where it begins in the lists of cells, and in Offsets
 	std::uint64_t all_points = 0, all_cells = 0, all_ids = 0, all_ends = 0;
+	std::uint64_t all_faces = 0, all_face_ids = 0, all_face_ends = 0;
 
 	std::size_t count() const { return points.size(); }
 	// Returns the partition of VTKHDF that a part is in. Each of those before it has one end more than cells.
@@ -61,6 +67,9 @@ struct PackedArray
 	std::vector<nlohmann::json> facts{}; // as of protocol.h
 };
 
+// Throws a Refusal for a number that is no count of what a file can hold. name: of the attribute or list.
+std::uint64_t checkedCount(double count, const char* name);
+
 // Holds what a pack tells of its parts, at all times. Throws a Refusal where it contradicts itself.
 class PackIndex
 {
@@ -78,6 +87,7 @@ public:
 	const std::vector<std::array<double, 3>>& farthest() const { return farthest_; }
 	// Returns the type of all cells, or 0 if they have several, or another number of points than it should have.
 	std::uint8_t typeOfAll() const;
+	bool hasPolyhedra() const;
 	const PackParts& parts() const { return parts_; }
 
 	// Returns a list of VTKHDF ("Points"), or one of ours ("own/PointNumbers"), that has so many rows.
@@ -98,7 +108,15 @@ public:
 
 private:
 	template <class Row>
-	std::vector<Row> allRows(const std::string& name, grid::NumberType type, std::uint64_t size) const;
+	std::vector<Row> allRows(const std::string& name, grid::NumberType type, std::uint64_t size) const
+	{
+		const hdf5::Rows rows(file_, descriptor_, own_ + "/" + name, type);
+		if (rows.size() != size || rows.rowBytes() != sizeof(Row))
+			throw damaged("its " + name + " do not match its cells");
+		std::vector<Row> values(size);
+		rows.read(0, size, values.data());
+		return values;
+	}
 	void listParts();
 	void listRuns();
 	void listFarthest();

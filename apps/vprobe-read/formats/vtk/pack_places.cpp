@@ -33,18 +33,26 @@ std::optional<std::size_t> seenRuns(const PackIndex& index)
 
 json describeRuns(const PackIndex& index, std::size_t count, arrays::Writer& writer)
 {
-	std::vector<std::uint64_t> cells, ids, parts;
+	std::vector<std::uint64_t> cells, ids, parts, faces, face_ids;
 	for (const PackRun& run : std::span(index.runs()).first(count))
 	{
 		cells.push_back(run.cells);
 		ids.push_back(run.ids);
 		parts.push_back(run.part);
+		faces.push_back(run.faces);
+		face_ids.push_back(run.face_ids);
 	}
 	json boxes = writer.write(NumberType::float64, index.boxes().data(), count * sizeof(index.boxes()[0]));
-	return {{"boxes", std::move(boxes)},
-	        {"cells", written(writer, cells)},
-	        {"ids", written(writer, ids)},
-	        {"parts", written(writer, parts)}};
+	json runs = {{"boxes", std::move(boxes)},
+	             {"cells", written(writer, cells)},
+	             {"ids", written(writer, ids)},
+	             {"parts", written(writer, parts)}};
+	if (index.hasPolyhedra())
+	{
+		runs["faces"] = written(writer, faces);
+		runs["face_ids"] = written(writer, face_ids);
+	}
+	return runs;
 }
 
 } // namespace
@@ -70,6 +78,12 @@ std::optional<json> describePlaces(const PackIndex& index, const std::string& fi
 	{
 		lists["types"] = offsetOf(index.rowsOf("Types", NumberType::uint8, parts.all_cells));
 		lists["ends"] = offsetOf(index.rowsOf("Offsets", NumberType::int32, parts.all_ends));
+	}
+	if (index.hasPolyhedra())
+	{
+		lists["face_ids"] = offsetOf(index.rowsOf("FaceConnectivity", NumberType::int32, parts.all_face_ids));
+		lists["face_ends"] = offsetOf(index.rowsOf("FaceOffsets", NumberType::int32, parts.all_face_ends));
+		lists["polyhedron_ends"] = offsetOf(index.rowsOf("PolyhedronOffsets", NumberType::int32, parts.all_ends));
 	}
 	json arrays = json::array();
 	for (const PackedArray& array : index.arrays())

@@ -6,6 +6,7 @@
 #include "pack_places.h"
 #include "point_ranks.h"
 #include "read/cell_types.h"
+#include "shared_faces.h"
 #include "vprobe-read/arrays/value_image.h"
 #include "vprobe-read/base/refusal.h"
 #include "vprobe-read/manifest/manifest_writer.h"
@@ -27,6 +28,7 @@
 #include <array>
 #include <cstring>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -138,6 +140,8 @@ private:
 		points->SetData(joined(place_rows, places, numbers, count));
 		grid->SetPoints(points);
 		setCells<Ids>(connectivity.Get(), grid);
+		if (index_.hasPolyhedra())
+			setPolyhedra(numbers, count, grid);
 		addArrays(numbers, count, grid);
 		manifest_.addPack(grid, index_.facts(index_.runs().size(), bytes_read_), index_.farthest(),
 		                  {cell_numbers.begin(), cell_numbers.end()});
@@ -214,7 +218,49 @@ private:
 		}
 		vtkNew<vtkCellArray> cells;
 		cells->SetData(offsets.Get(), connectivity);
-		grid->SetCells(types, cells);
+		// Without faces, which come later: otherwise VTK takes the points of polyhedra for lists of faces.
+		grid->SetCells(types, cells, nullptr, nullptr);
+	}
+
+	// numbers: those of the points of all parts, of which there are so many.
+	void setPolyhedra(HugeVector<std::uint32_t>& numbers, std::uint64_t points, vtkUnstructuredGrid* grid)
+	{
+		const PackParts& parts = index_.parts();
+		const hdf5::Rows id_rows = index_.rowsOf("FaceConnectivity", NumberType::int32, parts.all_face_ids);
+		const hdf5::Rows end_rows = index_.rowsOf("FaceOffsets", NumberType::int32, parts.all_face_ends);
+		const hdf5::Rows cell_rows = index_.rowsOf("PolyhedronOffsets", NumberType::int32, parts.all_ends);
+		HugeVector<std::int32_t> ids(parts.all_face_ids), ends(parts.all_face_ends), cell_ends(parts.all_ends);
+		fetch(id_rows, ids.data());
+		fetch(end_rows, ends.data());
+		fetch(cell_rows, cell_ends.data());
+		runTasks();
+		SharedFaces faces;
+		faces.points = points;
+		faces.cells = parts.all_cells;
+		faces.has_lists = true;
+		const auto addEnds = [](std::span<const std::int32_t> local, std::uint64_t sum, std::vector<std::int64_t>& to)
+		{
+			refuseWrongEnds(local, sum);
+			const std::int64_t first = (to.empty() ? 0 : to.back()) - local.front();
+			for (const std::int32_t end : local.subspan(1))
+				to.push_back(first + end);
+		};
+		for (const PackRun& run : index_.runs())
+		{
+			const auto of_part = pointsOf(run.part, numbers);
+			const std::span<const std::int32_t> of_run = std::span(ids).subspan(run.first_face_id, run.face_ids);
+			const std::uint64_t first_id = parts.first_ids[run.part];
+			refuseWrongIds(of_run, first_id, of_part.size());
+			for (const std::int32_t id : of_run)
+				faces.corners.push_back(of_part[static_cast<std::uint64_t>(id) - first_id]);
+			const std::uint64_t first_end = run.first_face + parts.partitionOf(run.part);
+			addEnds(std::span(ends).subspan(first_end, run.faces + 1), run.face_ids, faces.corner_ends);
+			const std::uint64_t first_cell_end = run.first_cell + parts.partitionOf(run.part);
+			addEnds(std::span(cell_ends).subspan(first_cell_end, run.cells + 1), run.faces, faces.face_ends);
+		}
+		faces.faces.resize(faces.corner_ends.size());
+		std::iota(faces.faces.begin(), faces.faces.end(), std::int64_t(0)); // each cell has its own
+		setSharedFaces({faces}, grid);
 	}
 
 	// An array of points, each once, from the values that the parts have.
