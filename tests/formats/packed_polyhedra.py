@@ -6,7 +6,7 @@ import subprocess
 from against import VPROBE, info, need, tried, vprobe
 from indices import both
 from packed_times import TIMES, swept
-from packs import CUTS, contours_of, figures, polygons, same, same_figures
+from packs import CUTS, change, contours_of, figures, polygons, remove, same, same_figures, shorten
 
 LAYERS = 6
 
@@ -162,24 +162,6 @@ def faces_follow_the_specification(folder):
 def damaged_polyhedra_are_refused(folder):
     h5py = need('h5py')
     _, pack = packed(folder)
-
-    def change(name, at, value):
-        def damage(file):
-            values = file[name][...]
-            values[at] = value
-            file[name][...] = values
-        return damage
-
-    def shorten(name):
-        def damage(file):
-            values = file[name][:-1]
-            del file[name]
-            file[name] = values
-        return damage
-
-    def remove(name):
-        return lambda file: file.__delitem__(name)
-
     root, own = 'VTKHDF/', 'vprobe/'
     damages = {
         'an id beyond': change(root + 'FaceConnectivity', 0, 999999),

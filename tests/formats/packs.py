@@ -390,32 +390,33 @@ def packs_in_chunks(folder):
     same_figures(path, pack, ['--normal', '0.3', '0.5', '0.81', '--array', 'f'], folder)
 
 
+def change(name, at, value):
+    def damage(file):
+        values = file[name][...]
+        values[at] = value
+        file[name][...] = values
+    return damage
+
+
+def remove(name):
+    return lambda file: file.__delitem__(name)
+
+
+def shorten(name):
+    def damage(file):
+        values = file[name][:-1]
+        del file[name]
+        file[name] = values
+    return damage
+
+
 def damaged_packs_are_refused(folder):
     h5py, numpy = need('h5py'), need('numpy')
     path, pack = packed(folder, '--part', '64')
 
-    def change(name, at, value):
-        def damage(file):
-            values = file[name][...]
-            values[at] = value
-            file[name][...] = values
-        return damage
-
     def attribute(name, value):
         def damage(file):
             file['vprobe'].attrs[name] = numpy.array([value])
-        return damage
-
-    def remove(name):
-        def damage(file):
-            del file[name]
-        return damage
-
-    def shorten(name):
-        def damage(file):
-            values = file[name][:-1]
-            del file[name]
-            file[name] = values
         return damage
 
     def points_in_the_next_part(file):  # and all ids in the first run
@@ -425,7 +426,7 @@ def damaged_packs_are_refused(folder):
         file['vprobe/NumberOfConnectivityIds'][...] = [ids.sum()] + [0] * (len(ids) - 1)
 
     damages = {
-        'parts without points': points_in_the_next_part, 'a newer version': attribute('Version', 4), 'no count of hidden cells': lambda file: file['vprobe'].attrs.__delitem__('HiddenCells'),
+        'parts without points': points_in_the_next_part, 'a newer version': attribute('Version', 5), 'no count of hidden cells': lambda file: file['vprobe'].attrs.__delitem__('HiddenCells'),
         'a point moved': change('VTKHDF/Points', (0, 0), -3.0), 'a smaller box': change('vprobe/Boxes', (0, 3), 0.1),
         'an id beyond': change('VTKHDF/Connectivity', 0, 999999), 'an id below 0': change('VTKHDF/Connectivity', 0, -1),
         'points out of order': change('vprobe/PointNumbers', 1, 0),

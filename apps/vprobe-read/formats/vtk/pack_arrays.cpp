@@ -1,4 +1,4 @@
-// What a pack tells of its arrays (pack_index.h).
+// How the arrays of a pack are listed (pack_index.h).
 #include "pack_index.h"
 
 #include "vprobe-read/base/refusal.h"
