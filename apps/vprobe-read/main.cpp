@@ -124,8 +124,11 @@ Request parseRequest(int count, char** arguments)
 	request.convert_to = arguments[10];
 	request.convert_folder = arguments[11];
 	request.cells_of_part = std::strtoull(arguments[12], nullptr, 10);
-	request.wants_places = arguments[13] == std::string_view("places");
-	request.parts = request.wants_places ? "" : arguments[13];
+	constexpr std::string_view places = "places";
+	request.parts = arguments[13];
+	request.wants_places = request.parts.starts_with(places);
+	if (request.wants_places)
+		request.parts.erase(0, places.size());
 	request.sandbox = arguments[14];
 	request.follow = linesOf(arguments[15]);
 	if (*arguments[16])

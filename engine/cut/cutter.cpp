@@ -258,8 +258,15 @@ try
 			                                window ? &*window : nullptr, group.filters[s * blocks + b]));
 		sheet.seeds.cells.resize(blocks);
 		sheet.seeds.faces_in_plane = find::facesToShow(blocks_, scans);
+		sheet.seeds.faces_of_cut_cells.assign(blocks, {});
 		for (std::size_t b = 0; b < blocks; ++b)
+		{
+			if (blocks_.blocks[b].runs && blocks_.blocks[b].runs->isShare())
+				for (const find::FlatFace& flat : scans[b].flat)
+					if (flat.shown)
+						sheet.seeds.faces_of_cut_cells[b].push_back(flat.face);
 			sheet.cuts[b].found = std::move(scans[b].cut);
+		}
 	}
 	return Nothing{};
 }

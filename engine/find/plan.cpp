@@ -29,6 +29,7 @@ struct PlannedSheet
 	bool has_seams;       // with other blocks
 	bool is_unstructured; // as all blocks are
 	bool lacks_neighbors; // some block does
+	bool is_in_runs;      // some block is read in runs; other ranks have the others
 };
 
 /// Returns the reason why cells must be followed in generations in any grid, null if they need not.
@@ -146,7 +147,7 @@ const char* whyTaken(Strategy strategy, const PlannedSheet& at)
 /// Returns true if neighbors would have to be built for this cut only, or need parts that it does without.
 bool isOneOff(const PlannedSheet& at)
 {
-	return at.lacks_neighbors && (!at.request.another_follows || at.block.runs) && !at.request.in_generations &&
+	return at.lacks_neighbors && (!at.request.another_follows || at.is_in_runs) && !at.request.in_generations &&
 	       !at.request.device_first;
 }
 
@@ -272,9 +273,13 @@ Result<CutPlan> planCut(const PlanRequest& request, const grid::BlockSet& blocks
 		std::vector<BlockPlan>& of_sheet = plan.sheets.emplace_back();
 		for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
 		{
-			const PlannedSheet at{request,          request.surface ? nullptr : &request.sheets[s],
-			                      blocks.blocks[b], blocks.interfaces.of(b) != nullptr,
-			                      unstructured,     lacks_neighbors};
+			const PlannedSheet at{request,
+			                      request.surface ? nullptr : &request.sheets[s],
+			                      blocks.blocks[b],
+			                      blocks.interfaces.of(b) != nullptr,
+			                      unstructured,
+			                      lacks_neighbors,
+			                      grid::lacksParts(blocks)};
 			if (request.strategy)
 				if (const char* why = whyNot(*request.strategy, at))
 					return Error{ErrorKind::usage,

@@ -269,7 +269,7 @@ private:
 		{
 			const std::span<const PointId> face = part.faces[f];
 			if (std::ranges::all_of(face, [&](PointId p) { return (sides_[p] & kInSurface) != 0; }) &&
-			    (!window_ || window_->meets(seed::boxOf(grid_, face))) && !hasNeighborAt(cell, f))
+			    (!window_ || window_->meetsFlatFace(grid_, face)) && !hasNeighborAt(cell, f))
 				part.flat.add(face, {{cell, static_cast<std::uint32_t>(f)}, is_cut});
 		}
 	}

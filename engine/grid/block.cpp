@@ -111,8 +111,12 @@ void readAllParts(BlockSet& blocks)
 	for (Block& block : blocks.blocks)
 		if (block.runs)
 		{
-			block.runs->fetch(block.runs->all());
-			leaveFile(block);
+			const std::vector<std::uint32_t> all = block.runs->all();
+			block.runs->fetch(all);
+			if (block.runs->isShare()) // it has room for cells that it does not have
+				block = linkedRuns(block, all);
+			else
+				leaveFile(block);
 		}
 }
 

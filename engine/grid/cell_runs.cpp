@@ -7,8 +7,8 @@ namespace vp::grid
 
 std::vector<std::uint32_t> CellRuns::all() const
 {
-	std::vector<std::uint32_t> numbers(runs_.size());
-	std::iota(numbers.begin(), numbers.end(), 0u);
+	std::vector<std::uint32_t> numbers(own_.end - own_.begin);
+	std::iota(numbers.begin(), numbers.end(), own_.begin);
 	return numbers;
 }
 

@@ -37,12 +37,27 @@ public:
 
 	/// By ascending cells and parts.
 	const std::vector<Run>& runs() const { return runs_; }
+	/// Numbers of runs, from `begin` to before `end`.
+	struct Range
+	{
+		std::uint32_t begin = 0;
+		std::uint32_t end = 0;
+	};
+	/// Of several processes that share the file, each has its own runs, and looks at no others.
+	const Range& own() const { return own_; }
+	bool isShare() const { return own_.end - own_.begin < runs_.size(); }
+	/// Returns how many cells its own runs have.
+	std::size_t ownCells() const
+	{
+		const Run& last = runs_[own_.end - 1];
+		return last.first_cell + last.cells - runs_[own_.begin].first_cell;
+	}
 	/// Returns the numbers of the runs that a surface may meet, ascending. Surface: has meets(Box).
 	template <class Surface>
 	std::vector<std::uint32_t> meeting(const Surface& surface) const
 	{
 		std::vector<std::uint32_t> met;
-		for (std::uint32_t run = 0; run < runs_.size(); ++run)
+		for (std::uint32_t run = own_.begin; run < own_.end; ++run)
 			if (surface.meets(runs_[run].box))
 				met.push_back(run);
 		return met;
@@ -76,10 +91,12 @@ public:
 	virtual void startCounting() = 0;
 
 protected:
-	explicit CellRuns(std::vector<Run> runs) : runs_(std::move(runs)) {}
+	/// own: at least one of the runs, which are not empty.
+	CellRuns(std::vector<Run> runs, Range own) : runs_(std::move(runs)), own_(own) {}
 
 private:
 	std::vector<Run> runs_;
+	Range own_;
 };
 
 } // namespace vp::grid

@@ -177,7 +177,7 @@ std::vector<std::string> argumentsFor(const std::string& file, const ReadOptions
 	    options.convert_to,
 	    options.convert_folder,
 	    options.cells_of_part > 0 ? std::to_string(options.cells_of_part) : "",
-	    options.keeps_in_runs ? "places" : options.parts,
+	    (options.keeps_in_runs ? "places" : "") + options.parts,
 	    sandbox,
 	    followArgument(options.follow),
 	    options.stays_above ? std::to_string(*options.stays_above) : "",

@@ -142,6 +142,9 @@ void takePackedBlock(const json& block, const SharedBytes& arrays, const Readabl
 	                               .first_ids = countsOf(arrays, block.at("part_first_ids")),
 	                               .first_ends = countsOf(arrays, block.at("part_first_ends")),
 	                               .all_points = countOf(block.at("pack").at("points"))};
+	if (block.contains("own_runs"))
+		contents.own = {static_cast<std::uint32_t>(countOf(block.at("own_runs").at(0))),
+		                static_cast<std::uint32_t>(countOf(block.at("own_runs").at(1)))};
 	const std::uint64_t type = countOf(block.at("type"));
 	if (type > std::numeric_limits<std::uint8_t>::max())
 		throw Unusable("a cell has an unknown type");

@@ -40,6 +40,15 @@ std::shared_ptr<SparseMemory> memoryFor(std::uint64_t rows, std::size_t row_byte
 	return std::make_shared<SparseMemory>(rows * row_bytes);
 }
 
+grid::CellRuns::Range ownOf(const PackedCells::Contents& contents)
+{
+	const auto all = static_cast<std::uint32_t>(contents.runs.size());
+	const grid::CellRuns::Range own = contents.own.value_or(grid::CellRuns::Range{0, all});
+	if (own.begin >= own.end || own.end > all)
+		throw Unusable("the runs of its cells are not there");
+	return own;
+}
+
 template <class T>
 Array<T> viewOf(const std::shared_ptr<SparseMemory>& memory, std::size_t count)
 {
@@ -49,7 +58,7 @@ Array<T> viewOf(const std::shared_ptr<SparseMemory>& memory, std::size_t count)
 } // namespace
 
 PackedCells::PackedCells(Contents contents)
-    : CellRuns(std::exchange(contents.runs, {})), contents_(std::move(contents)), has_cells_(nothing()),
+    : CellRuns(contents.runs, ownOf(contents)), contents_(std::move(contents)), has_cells_(nothing()),
       has_values_(nothing()), met_(runs().size())
 {
 	check();
@@ -327,7 +336,6 @@ std::uint64_t PackedCells::bytesAfter(std::span<const std::uint32_t> runs) const
 void PackedCells::renew(grid::Block& block) const
 {
 	Contents contents = contents_;
-	contents.runs = runs();
 	const auto fresh = std::make_shared<PackedCells>(std::move(contents));
 	block.grid = grid::UnstructuredGrid::listedInRuns(fresh->points(), fresh->cells());
 	for (grid::Field& own : fresh->fields())
@@ -339,7 +347,7 @@ void PackedCells::renew(grid::Block& block) const
 
 parts::PartUse PackedCells::use() const
 {
-	return {.all = runs().size(),
+	return {.all = own().end - own().begin,
 	        .kept = static_cast<std::uint64_t>(std::ranges::count(has_cells_.runs, true)),
 	        .met = static_cast<std::uint64_t>(std::ranges::count(met_, true)),
 	        .read = read_,

@@ -58,6 +58,7 @@ public:
 		std::shared_ptr<const parts::OpenFile> file{};
 		std::shared_ptr<const parts::OpenFile> source{}; // if the file is its index; else null
 		std::vector<Run> runs{};                         // with ascending parts
+		std::optional<Range> own{};                      // those of this process; all if it is missing
 		std::vector<std::uint64_t> run_ids{};            // point ids in each run
 		std::vector<std::uint64_t> all_cells{};          // for each part, with those that have no run
 		// For each part its points, the id with which they begin, and the row in the list of ends where it begins.

@@ -17,15 +17,15 @@ namespace vp::read
 // arrays, one a line: "*" for all, "^" for the default array, "=" and a name for one. FORMAT: a name of
 // format_table.inl, or empty. RAW: the layout of a raw volume (rawText()), or empty. TARGET and FOLDER: of convert(),
 // or empty; the child writes into this folder and nowhere else. PACK: the most cells of a part of it, where it is
-// written in parts; else empty. PARTS: empty for all, "?" to list them, "places" to leave the cells of a pack in the
-// file (below), or their numbers with commas between; behind numbers and "?", "/" and into how many slabs a lattice
-// comes apart that is alone in its file. SANDBOX: auto, require or off. FOLLOW: folders with files that the input may
-// name, one a line, or "anywhere". STAYS: arrays of more bytes than this may stay in the file; empty if none may.
-// UNPACK: empty, see below. LEVEL: of images at several resolutions, 0 the finest. SLICE: where several files are the
-// slices of one volume, all of them in their order; FILE is the first. The child writes arrays into two shared
-// memories, each array at a multiple of kArrayAlignment. kCellsFd gets the points and cells of unstructured blocks,
-// which nobody needs after the grid is built, kArraysFd everything else. A JSON manifest that describes them goes to
-// kManifestFd:
+// written in parts; else empty. PARTS: empty for all, "?" to list them, or their numbers with commas between;
+// behind numbers and "?", "/" and into how many slabs a lattice comes apart that is alone in its file. In front of all
+// that, "places" to leave the cells of a pack in the file (below), which then comes apart like a lattice. SANDBOX:
+// auto, require or off. FOLLOW: folders with files that the input may name, one a line, or "anywhere". STAYS: arrays of
+// more bytes than this may stay in the file; empty if none may. UNPACK: empty, see below. LEVEL: of images at several
+// resolutions, 0 the finest. SLICE: where several files are the slices of one volume, all of them in their order; FILE
+// is the first. The child writes arrays into two shared memories, each array at a multiple of kArrayAlignment. kCellsFd
+// gets the points and cells of unstructured blocks, which nobody needs after the grid is built, kArraysFd everything
+// else. A JSON manifest that describes them goes to kManifestFd:
 //
 //   {"version", "times": [..], "left_out": cells, "warnings": [words, or {"count", "words"}, ..], "files": those that
 //   were read, "bytes_read": by the child from files, "levels": how many the file has, if there are several, "blocks":
@@ -67,7 +67,7 @@ namespace vp::read
 // "facts" on all values (grid::ArrayFacts): {"tuples", "spans": [[lo, hi, whether there is -inf, +inf] ..], lo and hi
 // null if no value is finite, "values": [..], "changes": [all, to the next value]}, and maybe "least_positive": [..].
 //
-// With PARTS "places", the block of a pack whose lists lie in the file as they are in memory is of kind "packed". It
+// With "places" in PARTS, the block of a pack whose lists lie in the file as they are in memory is of kind "packed". It
 // has "file", "type" of all cells or 0, "type_of_points", "runs": {"boxes": array of float64, lo and hi of each, and as
 // arrays of uint64 "cells", "ids", "parts", with polyhedra also "faces", "face_ids"}, and for each part as arrays of
 // uint64 "part_cells", "part_points", "part_first_ids", with which the ids of its points begin, and "part_first_ends",
@@ -77,7 +77,9 @@ namespace vp::read
 // the file an "offset" and "facts", and maybe "ranges", the offset of its RunRanges; "time" is the index of the one
 // that was asked for; and "pack" has no "numbers". "source" is an empty list. If the file is the index of another one,
 // it has the five numbers of read::SourceStamp, and the offsets of arrays that are "in_source" are places in that other
-// file, where numbers may have the other order of bytes ("swaps"). Other files are read as if PARTS was empty.
+// file, where numbers may have the other order of bytes ("swaps"). Where the pack came apart, "own_runs" has the number
+// that the first run has which was asked for, and that behind the last. Other files are read as if PARTS was without
+// "places".
 //
 // Started as "vprobe-read copies", it reads nothing and makes copies of itself, which are as if started with the
 // arguments above; see ready_reader.h.

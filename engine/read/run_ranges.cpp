@@ -58,7 +58,7 @@ std::vector<std::uint32_t> PackedCells::holding(const grid::Field& field, int co
 	if (!ranges)
 		return all();
 	std::vector<std::uint32_t> held;
-	for (std::uint32_t run = 0; run < runs().size(); ++run)
+	for (std::uint32_t run = own().begin; run < own().end; ++run)
 	{
 		const float* ends = ranges->ends.data() + (run * columns + column) * 2;
 		if (ends[0] <= value && value <= ends[1])

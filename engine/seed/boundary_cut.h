@@ -202,7 +202,7 @@ private:
 		}
 		if (any_positive && !all_positive)
 			takeCut(face);
-		else if (flat && (!window_ || window_->meets(boxOf(grid_, points))))
+		else if (flat && (!window_ || window_->meetsFlatFace(grid_, points)))
 			found_.flat.push_back(face);
 	}
 

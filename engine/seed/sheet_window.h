@@ -30,6 +30,21 @@ public:
 		return findCuts(grid, surface, face, cuts) && anyMeets(cuts);
 	}
 
+	// Returns true if a face that lies in the plane reaches into the window. The window may lie inside the face.
+	template <class G>
+	bool meetsFlatFace(const G& grid, std::span<const PointId> face) const
+	{
+		bool inside = false; // as in meetsCell()
+		for (std::size_t i = 0; i < face.size(); ++i)
+		{
+			const Vec3 from = grid.point(face[i]), to = grid.point(face[(i + 1) % face.size()]);
+			if (meets(from, to))
+				return true;
+			inside ^= passesRightOfCenter(uvOf(from), uvOf(to));
+		}
+		return inside;
+	}
+
 	// Returns true if the section of a cut cell reaches into the window. The window may lie inside the section.
 	template <class G, class Surface>
 	bool meetsCell(const G& grid, const Surface& surface, const grid::CellFaces& faces) const

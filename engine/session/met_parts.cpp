@@ -220,7 +220,7 @@ bool Session::doesWithParts(const view::ViewSpec& spec) const
 bool Session::mayLinkNear() const
 {
 	const auto isInRuns = [](const grid::Block& block) { return block.runs != nullptr; };
-	return doesWithParts(spec_) && looksNearPlanes(spec_) && is_for_one_frame_ &&
+	return ranks_.holdsAll() && doesWithParts(spec_) && looksNearPlanes(spec_) && is_for_one_frame_ &&
 	       std::ranges::all_of(blocks_.blocks, isInRuns);
 }
 

@@ -155,8 +155,11 @@ Result<grid::BlockSet> Session::readBlocks(const OpenOptions& options)
 		                   : kept.budget();
 	reading.stays_above = stays_above_;
 	is_for_one_frame_ = options.expect == Expect::one_cut && options.frames_alone && !options.time_may_change;
-	reading.keeps_in_runs = options.ranks.holdsAll() && options.frames_alone && inputs_.size() == 1 &&
-	                        (looksAtCutAlone(spec_) || (is_for_one_frame_ && looksNearPlanes(spec_)));
+	// Faces of whole cells need neighbors, where other ranks have some.
+	reading.keeps_in_runs =
+	    options.frames_alone && inputs_.size() == 1 &&
+	    (options.ranks.holdsAll() ? looksAtCutAlone(spec_) || (is_for_one_frame_ && looksNearPlanes(spec_))
+	                              : looksAtCutAlone(spec_) && !spec_.probe.crinkle);
 	const bool needs_neighbors = options.expect == Expect::more || needsNeighbors(spec_);
 	reading.builds_neighbors = needs_neighbors && options.ranks.buildsWhileReading();
 	reading.for_one_cut = !needs_neighbors && options.expect == Expect::one_cut && servesOneCut(spec_);
@@ -206,8 +209,8 @@ try
 		if (Status read = session->readAllParts(options.stop); !read)
 			return read.error();
 	const auto plan = session->plan({.expect = Expect::first_of_many});
-	const bool is_joined =
-	    !session->ranks_.buildsWhileReading() && (options.expect == Expect::more || needsNeighbors(session->spec_));
+	const bool is_joined = !session->ranks_.buildsWhileReading() && !grid::lacksParts(session->blocks_) &&
+	                       (options.expect == Expect::more || needsNeighbors(session->spec_));
 	if (!session->mayLinkNear() && (is_joined || (plan && plan->needs_neighbors)))
 		if (Status built = session->buildNeighbors(options.stop); !built)
 			return built.error();

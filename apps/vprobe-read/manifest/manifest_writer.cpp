@@ -227,11 +227,13 @@ json Writer::describePack(json facts, std::span<const std::array<double, 3>> far
 	return facts;
 }
 
-bool Writer::addPackInPlace(const DescribePlaces& describe, json facts, std::span<const std::array<double, 3>> farthest)
+bool Writer::addPackInPlace(const DescribePlaces& describe, const std::function<json()>& factsOfIt,
+                            std::span<const std::array<double, 3>> farthest)
 {
 	std::optional<json> block = displacement_.isOn() ? std::nullopt : describe(writer_);
-	if (!block)
-		return false;
+	if (!block || block->is_null())
+		return block.has_value();
+	json facts = factsOfIt();
 	takePackCounts(facts);
 	(*block)["pack"] = describePack(std::move(facts), farthest);
 	for (json& array : left_out_)

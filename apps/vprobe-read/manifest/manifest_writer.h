@@ -58,10 +58,10 @@ public:
 	// farthest from the center, and the numbers of its cells in the file that was packed.
 	void addPack(vtkUnstructuredGrid* grid, nlohmann::json facts, std::span<const std::array<double, 3>> farthest,
 	             std::span<const std::uint32_t> numbers);
-	// Adds one whose cells stay in their file, as `describe` describes it (protocol.h). Returns false, and adds
-	// nothing, if that returns nothing.
+	// Adds one whose cells stay in their file, as `describe` describes it (protocol.h), and then its facts. Returns
+	// false, and adds nothing, if it is not described. Adds nothing either if it is null, since nobody asks for it.
 	using DescribePlaces = std::function<std::optional<nlohmann::json>(arrays::Writer& writer)>;
-	bool addPackInPlace(const DescribePlaces& describe, nlohmann::json facts,
+	bool addPackInPlace(const DescribePlaces& describe, const std::function<nlohmann::json()>& factsOfIt,
 	                    std::span<const std::array<double, 3>> farthest);
 	// Every data set in `object` that holds three-dimensional cells becomes a block.
 	void add(vtkDataObject* object);

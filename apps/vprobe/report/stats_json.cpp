@@ -213,7 +213,7 @@ nlohmann::json sheetsJson(const session::Session& session, const cut::Cut& slice
 	return list;
 }
 
-// Of all ranks together.
+// Figures of all ranks together.
 double areaOf(const session::Session& session, const mesh::SheetMesh& mesh)
 {
 	return measure::measureOf(ranks::sumUp(session.ranks(), session.blocks(), mesh, {}), false).area;

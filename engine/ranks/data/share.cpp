@@ -1,5 +1,6 @@
 #include "ranks/data/share.h"
 
+#include "base/bytes_read.h"
 #include "grid/cell_places.h"
 #include "ranks/data/imaging_message.h"
 #include "ranks/data/join_pieces.h"
@@ -36,10 +37,10 @@ struct Described
 Share::Counts countsOf(const grid::Block& block)
 {
 	Share::Counts counts;
-	counts.linear_cells = std::visit([](const auto& grid) { return grid.cellCount(); }, block.grid);
+	counts.linear_cells = cellsHere(block);
 	counts.linear_points = std::visit([](const auto& grid) { return grid.pointCount(); }, block.grid);
 	const auto* cells = std::get_if<grid::UnstructuredGrid>(&block.grid);
-	counts.cells = cells ? cells->sourceCellCount() : counts.linear_cells;
+	counts.cells = cells && !block.runs ? cells->sourceCellCount() : counts.linear_cells;
 	counts.points = cells ? cells->sourcePointCount() : counts.linear_points;
 	return counts;
 }
@@ -344,6 +345,8 @@ Result<grid::BlockSet> readShare(Team& team, const std::vector<std::string>& inp
 	share.bytes_read += read->bytes_read;
 	const bool has_interfaces = !read->set.interfaces.blocks.empty();
 	share.own_parts = own.size();
+	share.has_packs = anyOf(team, std::ranges::any_of(read->set.blocks, [](const grid::Block& block)
+	                                                  { return block.runs && block.runs->isShare(); }));
 	grid::BlockSet all = withOthers(team, std::move(*read), list, share);
 	if (all.blocks.empty())
 		return Error{ErrorKind::input,
@@ -362,6 +365,7 @@ Result<grid::BlockSet> readInputs(Ranks& ranks, const std::vector<std::string>& 
 		return read::readInputs(inputs, options, timeline);
 	auto share = std::make_shared<Share>();
 	Result<grid::BlockSet> blocks = readShare(*ranks.team(), inputs, options, timeline, *share);
+	share->counted_before = bytesRead();
 	ranks.take(std::move(share));
 	return blocks;
 }
@@ -382,11 +386,6 @@ Share::Counts countsOf(const Ranks& ranks, const grid::BlockSet& blocks)
 			counts.linear_points += block.whole->points - here.linear_points;
 		}
 	return counts;
-}
-
-bool isHere(const Ranks& ranks, std::size_t block)
-{
-	return !ranks.team() || ranks.share().isOwn(block);
 }
 
 void nameWholeBlocks(const Ranks& ranks, std::span<std::int32_t> blocks)

@@ -2,6 +2,7 @@
 
 #include "base/result.h"
 #include "grid/block.h"
+#include "grid/cell_runs.h"
 #include "ranks/ranks.h"
 #include "read/read.h"
 #include "view/view_spec.h"
@@ -10,6 +11,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace vp
@@ -36,9 +38,11 @@ struct Share
 	};
 	Counts counts;
 	std::size_t own_parts = 0;
-	std::uint64_t bytes_read = 0; // by this rank's readers, from files
-	std::uint32_t first_own = 0;  // blocks of this rank follow each other
+	std::uint64_t bytes_read = 0;     // by this rank's readers, from files
+	std::uint64_t counted_before = 0; // bytesRead() when they had ended
+	std::uint32_t first_own = 0;      // blocks of this rank follow each other
 	std::uint32_t end_own = 0;
+	bool has_packs = false;           // whose runs the ranks share
 	std::vector<std::uint32_t> whole; // per block, the block that one process would have in its place
 
 	bool isOwn(std::size_t block) const { return first_own <= block && block < end_own; }
@@ -58,8 +62,18 @@ Result<grid::BlockSet> readInputs(Ranks& ranks, const std::vector<std::string>& 
 /// Returns the counts of the data set, whoever holds its blocks.
 Share::Counts countsOf(const Ranks& ranks, const grid::BlockSet& blocks);
 
+/// Returns how many of a block's cells this process has. Those of a pack may be in the file.
+inline std::size_t cellsHere(const grid::Block& block)
+{
+	return block.runs ? block.runs->ownCells()
+	                  : std::visit([](const auto& grid) { return grid.cellCount(); }, block.grid);
+}
+
 /// Returns true if this process holds the block.
-bool isHere(const Ranks& ranks, std::size_t block);
+inline bool isHere(const Ranks& ranks, std::size_t block)
+{
+	return !ranks.team() || ranks.share().isOwn(block);
+}
 
 /// Puts the number of the block that one process would have in the place of each number.
 void nameWholeBlocks(const Ranks& ranks, std::span<std::int32_t> blocks);

@@ -4,6 +4,7 @@
 #include "find/curved_sheet.h"
 #include "probe/probe.h"
 #include "ranks/data/share.h"
+#include "ranks/join/faces_between_shares.h"
 #include "ranks/join/hanging_borders.h"
 #include "ranks/join/unmatched_faces.h"
 #include "seed/boundary_cut.h"
@@ -367,6 +368,8 @@ Result<cut::Cut> carryOut(const Ranks& ranks, cut::Cutter& cutter, cut::CutReque
 	Result<cut::Cut> cut = goesFromRankToRank(request)
 	                           ? cutFromRankToRank(*ranks.team(), ranks.share().whole, cutter, std::move(request), stop)
 	                           : cutter.cut(request, stop);
+	if (cut && ranks.share().has_packs && !stop.stop_requested())
+		dropFacesBetweenShares(*ranks.team(), cutter.blocks(), ranks.share().whole, *cut);
 	if (cut && !spots_may_move && !stop.stop_requested())
 		agreeOnHotSpots(*ranks.team(), *cut);
 	return cut;

@@ -1,5 +1,6 @@
 #include "ranks/write/joined_stats.h"
 
+#include "base/bytes_read.h"
 #include "ranks/data/share.h"
 
 #include <fmt/format.h>
@@ -26,7 +27,7 @@ constexpr std::array<std::string_view, 12> kSummed = {
     "boundary_tests", "tree_tests",       "cells_touched", "cells_scanned", "cells_walked", "boundary_faces"};
 constexpr std::array<std::string_view, 4> kSummedOfContour = {"cells", "polygons", "seeds", "cells_touched"};
 constexpr std::array<std::string_view, 2> kGreatest = {"generations", "front_max"};
-// Of these, what is told for each rank.
+// Those of them that are told for each rank.
 constexpr std::array<std::string_view, 8> kOfRank = {"cut_cells",  "seeds",         "hops",          "boundary_tests",
                                                      "tree_tests", "cells_touched", "cells_scanned", "generations"};
 
@@ -51,8 +52,20 @@ void addContour(json& contour, const json& other)
 	    std::max(contour["generations"].get<std::size_t>(), other["generations"].get<std::size_t>());
 }
 
+// Parts that ranks read in place: each has its own.
+void addParts(json& parts, const json& other)
+{
+	if (parts.is_null())
+		parts = other;
+	else if (!other.is_null())
+		for (const char* key : {"all", "met", "read", "kept", "bytes_met", "bytes_read"})
+			parts[key] = parts[key].get<std::uint64_t>() + other[key].get<std::uint64_t>();
+}
+
 void addSheets(json& document, const json& other)
 {
+	if (document.contains("parts"))
+		addParts(document["parts"], other["parts"]);
 	for (std::size_t c = 0; document.contains("contours") && c < document["contours"].size(); ++c)
 		addContour(document["contours"][c], other["contours"][c]);
 	for (std::size_t s = 0; document.contains("sheets") && s < document["sheets"].size(); ++s)
@@ -87,12 +100,16 @@ nlohmann::json resourcesOf(const Ranks& ranks, const grid::BlockSet& blocks)
 	getrusage(RUSAGE_CHILDREN, &reader);
 	const auto seconds = [](const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * time.tv_usec; };
 	const auto cpu = [&](const rusage& of) { return seconds(of.ru_utime) + seconds(of.ru_stime); };
+	const std::uint64_t bytes = share.bytes_read + (bytesRead() - share.counted_before); // by readers, and in place
 	std::size_t cells = 0;
 	for (std::uint32_t b = share.first_own; b < share.end_own; ++b)
-		cells += std::visit([](const auto& grid) { return grid.cellCount(); }, blocks.blocks[b].grid);
-	return {{"parts", share.own_parts},          {"cells", cells},
-	        {"bytes_read", share.bytes_read},    {"layer_bytes", ranks.layerBytes()},
-	        {"peak_mib", used.ru_maxrss / 1024}, {"cpu_s", cpu(used)},
+		cells += cellsHere(blocks.blocks[b]);
+	return {{"parts", share.own_parts},
+	        {"cells", cells},
+	        {"bytes_read", bytes},
+	        {"layer_bytes", ranks.layerBytes()},
+	        {"peak_mib", used.ru_maxrss / 1024},
+	        {"cpu_s", cpu(used)},
 	        {"reader_cpu_s", cpu(reader)}};
 }
 

@@ -206,6 +206,36 @@ TEST(PackedCells, AreReadRunByRun)
 	}
 }
 
+TEST(PackedCells, AreSharedByProcesses)
+{
+	TwoParts two;
+	PackedCells::Contents contents = two.contents();
+	contents.own = {1, 2};
+	const auto cells = std::make_shared<PackedCells>(contents);
+	EXPECT_TRUE(cells->isShare());
+	EXPECT_EQ(cells->ownCells(), 1u);
+	EXPECT_EQ(cells->all(), std::vector<std::uint32_t>{1});
+	EXPECT_EQ(cells->meeting(AcrossX{0.5}), std::vector<std::uint32_t>{1}); // the first meets it, too
+	EXPECT_EQ(cells->use().all, 1u);
+	fetch(*cells, {1});
+	EXPECT_EQ(idsOf(*cells), (std::vector<std::int64_t>{0, 0, 0, 0, 1, 3, 2, 4})); // numbered as in the whole
+
+	grid::BlockSet blocks;
+	blocks.blocks.push_back(blockOf(cells));
+	blocks.blocks[0].whole = std::make_shared<const grid::WholeGrid>();
+	grid::readAllParts(blocks);
+	const auto& grid = std::get<grid::UnstructuredGrid>(blocks.blocks[0].grid);
+	ASSERT_EQ(grid.cellCount(), 1u);
+	EXPECT_TRUE(grid.hasNeighbors());
+	EXPECT_EQ(grid.sourceCell(0), 1u);
+
+	for (const grid::CellRuns::Range wrong : {grid::CellRuns::Range{1, 1}, grid::CellRuns::Range{0, 3}})
+	{
+		contents.own = wrong;
+		EXPECT_THROW(PackedCells none(contents), Unusable);
+	}
+}
+
 TEST(PackedCells, HaveTheFacesOfPolyhedra)
 {
 	TwoParts two;

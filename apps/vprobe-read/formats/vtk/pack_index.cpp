@@ -237,11 +237,27 @@ void PackIndex::listFarthest()
 	rows.read(0, rows.size(), farthest_.data());
 }
 
-// As the manifest has them (protocol.h).
-json PackIndex::facts(std::size_t runs_read, std::uint64_t bytes_read) const
+json PackIndex::facts(std::uint64_t bytes_read) const
 {
-	std::array<double, 6> bounds = boxes_[0];
-	for (const std::array<double, 6>& box : boxes_)
+	json facts = factsOf(boxes_);
+	facts["parts_read"] = runs_.size();
+	facts["bytes_read"] = bytes_read;
+	return facts;
+}
+
+json PackIndex::factsOfRuns(std::size_t begin, std::size_t end) const
+{
+	json facts = factsOf(std::span(boxes_).subspan(begin, end - begin));
+	if (begin > 0)
+		facts["flat_cells"] = facts["hidden_cells"] = facts["cells_without_place"] = 0u;
+	return facts;
+}
+
+// As the manifest has them (protocol.h). boxes: those whose ends are the bounds.
+json PackIndex::factsOf(std::span<const std::array<double, 6>> boxes) const
+{
+	std::array<double, 6> bounds = boxes[0];
+	for (const std::array<double, 6>& box : boxes)
 		for (std::size_t axis = 0; axis < 3; ++axis)
 		{
 			bounds[axis] = std::min(bounds[axis], box[axis]);
@@ -260,9 +276,9 @@ json PackIndex::facts(std::size_t runs_read, std::uint64_t bytes_read) const
 	        {"hidden_cells", hidden},
 	        {"cells_without_place", unplaced},
 	        {"bounds", bounds},
-	        {"parts", runs_.size()},
-	        {"parts_read", runs_read},
-	        {"bytes_read", bytes_read},
+	        {"parts", boxes.size()},
+	        {"parts_read", 0u},
+	        {"bytes_read", 0u},
 	        {"arrays", std::move(of_arrays)}};
 }
 

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -103,8 +104,11 @@ public:
 	std::size_t time() const { return time_; } // the one that was asked for
 	grid::NumberType typeOfPoints() const;
 
-	// Returns the "pack" of its block (protocol.h), with what manifest::Writer::addPack() wants beside it.
-	nlohmann::json facts(std::size_t runs_read, std::uint64_t bytes_read) const;
+	// Returns the "pack" of its block (protocol.h), with what manifest::Writer::addPack() wants beside it, if all runs
+	// were read.
+	nlohmann::json facts(std::uint64_t bytes_read) const;
+	// The same if some are read later. Cells that nobody sees count with the first run.
+	nlohmann::json factsOfRuns(std::size_t begin, std::size_t end) const;
 
 private:
 	template <class Row>
@@ -130,6 +134,7 @@ private:
 	                                    std::uint64_t components) const;
 	std::vector<PackedValues> valuesOf(const std::string& path) const;
 	std::uint64_t countOf(const char* name) const;
+	nlohmann::json factsOf(std::span<const std::array<double, 6>> boxes) const;
 
 	const hdf5::File& file_;
 	std::string root_, own_;         // its groups

@@ -57,7 +57,8 @@ json describeRuns(const PackIndex& index, std::size_t count, arrays::Writer& wri
 
 } // namespace
 
-std::optional<json> describePlaces(const PackIndex& index, const std::string& file, arrays::Writer& writer)
+std::optional<json> describePlaces(const PackIndex& index, const std::string& file, const ChoosePackRuns& choose,
+                                   arrays::Writer& writer)
 {
 	const std::optional<std::size_t> runs = seenRuns(index);
 	if (!runs || index.allPoints() > std::numeric_limits<std::int32_t>::max())
@@ -110,19 +111,26 @@ std::optional<json> describePlaces(const PackIndex& index, const std::string& fi
 	}
 	if (!all_plain)
 		return std::nullopt;
-	return json{{"kind", "packed"},
-	            {"file", file},
-	            {"source", index.source()},
-	            {"runs", describeRuns(index, *runs, writer)},
-	            {"part_cells", written(writer, parts.cells)},
-	            {"part_points", written(writer, parts.points)},
-	            {"part_first_ids", written(writer, parts.first_ids)},
-	            {"part_first_ends", written(writer, parts.first_ends)},
-	            {"time", index.time()},
-	            {"type", type},
-	            {"type_of_points", grid::numberTypeName(index.typeOfPoints())},
-	            {"lists", std::move(lists)},
-	            {"arrays", std::move(arrays)}};
+	const PackRun& last = index.runs()[*runs - 1];
+	const std::optional<PackRange> own = choose(*runs, last.first_cell + last.cells);
+	if (!own)
+		return json();
+	json block = {{"kind", "packed"},
+	              {"file", file},
+	              {"source", index.source()},
+	              {"runs", describeRuns(index, *runs, writer)},
+	              {"part_cells", written(writer, parts.cells)},
+	              {"part_points", written(writer, parts.points)},
+	              {"part_first_ids", written(writer, parts.first_ids)},
+	              {"part_first_ends", written(writer, parts.first_ends)},
+	              {"time", index.time()},
+	              {"type", type},
+	              {"type_of_points", grid::numberTypeName(index.typeOfPoints())},
+	              {"lists", std::move(lists)},
+	              {"arrays", std::move(arrays)}};
+	if (own->begin > 0 || own->end < *runs)
+		block["own_runs"] = {own->begin, own->end};
+	return block;
 }
 
 } // namespace vp::reader::vtk

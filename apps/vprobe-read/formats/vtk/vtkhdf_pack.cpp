@@ -143,7 +143,7 @@ private:
 		if (index_.hasPolyhedra())
 			setPolyhedra(numbers, count, grid);
 		addArrays(numbers, count, grid);
-		manifest_.addPack(grid, index_.facts(index_.runs().size(), bytes_read_), index_.farthest(),
+		manifest_.addPack(grid, index_.facts(bytes_read_), index_.farthest(),
 		                  {cell_numbers.begin(), cell_numbers.end()});
 	}
 
@@ -320,14 +320,34 @@ private:
 	std::uint64_t bytes_read_ = 0;
 };
 
+// Returns false if the pack cannot be read in place. is_alone: in its file, in no collection. Then it may come apart.
+bool addInPlace(const PackIndex& index, const std::string& file, bool is_alone, manifest::Writer& manifest)
+{
+	PartFilter& filter = manifest.parts();
+	PackRange own;
+	const auto choose = [&](std::size_t runs, std::uint64_t cells) -> std::optional<PackRange>
+	{
+		own = {0, runs};
+		if (!is_alone || !filter.splits())
+			return filter.begin(cells) ? std::optional(own) : std::nullopt;
+		const auto chosen =
+		    filter.beginLattice({{"kind", "unstructured"}, {"points", index.allPoints()}}, runs, cells / runs);
+		if (chosen)
+			own = {chosen->begin, chosen->end};
+		return chosen ? std::optional(own) : std::nullopt;
+	};
+	const auto describe = [&](arrays::Writer& writer) { return describePlaces(index, file, choose, writer); };
+	return manifest.addPackInPlace(
+	    describe, [&] { return index.factsOfRuns(own.begin, own.end); }, index.farthest());
+}
+
 } // namespace
 
 void readVtkHdfPack(const hdf5::File& file, const VtkHdfPack& pack, const Request& request,
                     const WantsVtkHdfArray& wants, manifest::Writer& manifest)
 {
 	const PackIndex index(file, pack, wants);
-	const auto describe = [&](arrays::Writer& writer) { return describePlaces(index, file.name(), writer); };
-	if (request.wants_places && manifest.addPackInPlace(describe, index.facts(0, 0), index.farthest()))
+	if (request.wants_places && addInPlace(index, file.name(), pack.root == "/VTKHDF", manifest))
 		return;
 	if (!index.source().empty())
 		throw Refusal("the index of another file; open that file");
