@@ -61,6 +61,7 @@ PackedCells::PackedCells(Contents contents)
     : CellRuns(contents.runs, ownOf(contents)), contents_(std::move(contents)), has_cells_(nothing()),
       has_values_(nothing()), met_(runs().size())
 {
+	contents_.runs = {}; // runs() has them
 	check();
 	takeMemory();
 	takeMemoryOfValues();
@@ -336,6 +337,7 @@ std::uint64_t PackedCells::bytesAfter(std::span<const std::uint32_t> runs) const
 void PackedCells::renew(grid::Block& block) const
 {
 	Contents contents = contents_;
+	contents.runs = runs();
 	const auto fresh = std::make_shared<PackedCells>(std::move(contents));
 	block.grid = grid::UnstructuredGrid::listedInRuns(fresh->points(), fresh->cells());
 	for (grid::Field& own : fresh->fields())

@@ -1,5 +1,6 @@
 #include "session/time_steps.h"
 
+#include "ranks/data/share.h"
 #include "session/session.h"
 
 #include <fmt/format.h>
@@ -42,7 +43,7 @@ try
 {
 	const read::ReadOptions at = readOptions(time);
 	const std::size_t step = read::timeIndex(blocks_.times, time);
-	Result<bool> same_grid = grid::hasTimeInRuns(blocks_, step);
+	Result<bool> same_grid = ranks::hasTimeInRuns(ranks_, blocks_, step);
 	const bool is_in_runs = *same_grid;
 	if (!is_in_runs && ranks_.keepsParts())
 	{
@@ -54,7 +55,10 @@ try
 	const auto next = step_ahead_.nextAfter(step, blocks_.times.size());
 	if (is_in_runs) // frames read the values of what they meet
 		for (grid::Block& block : blocks_.blocks)
-			block.runs->goTo(step, next, block);
+		{
+			if (block.runs)
+				block.runs->goTo(step, next, block);
+		}
 	else if (*same_grid && next && mayReadAhead(blocks_))
 		step_ahead_.expect(inputs_, readOptions(choiceOfStep(blocks_.times, *next)), *next);
 	if (*same_grid)

@@ -28,8 +28,9 @@ namespace
 void takeFactsAt(std::size_t step, grid::BlockSet& blocks)
 {
 	for (grid::Block& block : blocks.blocks)
-		for (grid::Field& field : block.fields)
-			field.facts = block.runs->factsAt(step, field);
+		if (block.runs)
+			for (grid::Field& field : block.fields)
+				field.facts = block.runs->factsAt(step, field);
 }
 
 } // namespace
@@ -57,7 +58,7 @@ Result<TimesSeen> lookAtTimes(const Session& session, std::span<const std::size_
 		const read::ReadOptions at = session.readOptions(choiceOfStep(session.blocks().times, steps[i]));
 		grid::BlockSet blocks = session.blocks();
 		ranks::Ranks ranks = session.ranks();
-		Result<bool> same_grid = grid::hasTimeInRuns(blocks, steps[i]);
+		Result<bool> same_grid = ranks::hasTimeInRuns(ranks, blocks, steps[i]);
 		const bool is_in_runs = *same_grid;
 		if (is_in_runs)
 			takeFactsAt(steps[i], blocks);
@@ -82,7 +83,8 @@ Result<TimesSeen> lookAtTimes(const Session& session, std::span<const std::size_
 		for (TimesSeen::Array& array : seen.arrays)
 		{
 			array.span.include(spanOf(blocks, ranks, array.field));
-			if (is_in_runs && !knowsLeastPositive(blocks)) // then logarithms are taken of what was read as a whole
+			if (is_in_runs &&
+			    ranks.any(!knowsLeastPositive(blocks))) // then logarithms are taken of what was read as a whole
 				continue;
 			const double least = leastPositive(blocks, ranks, array.field);
 			if (least > 0.0 && !(array.least_positive > 0.0 && array.least_positive < least))

@@ -135,6 +135,22 @@ def test_sweeps(same, packs):
     assert [frame['parts']['met'] for frame in mpi['frames']] == one and max(one) < plain['frames'][0]['parts']['all']
 
 
+def test_a_time_costs_the_values_of_what_is_cut(same, programs, tmp_path):
+    lines = []
+    for step in range(3):
+        grid = pieces.hexahedra(12)
+        values = pieces.vtk_to_numpy(grid.GetPointData().GetArray('s'))
+        values += step * values * values
+        pieces.write(vtk.vtkXMLUnstructuredGridWriter(), grid, tmp_path / f'{step}.vtu')
+        lines.append(f'<DataSet timestep="{step}" file="{step}.vtu"/>')
+    (tmp_path / 'all.pvd').write_text(f'<VTKFile type="Collection"><Collection>{"".join(lines)}</Collection></VTKFile>')
+    programs.plain('pack', tmp_path / 'all.pvd', '-o', tmp_path / 'all.vtkhdf', '--part', 64)
+    for ranks in (3, 8):
+        _, mpi = same(ranks, 'sweep', tmp_path / 'all.vtkhdf', '--path', 'times', *OBLIQUE, '--array', 's')
+        first, *later = (frame['parts'] for frame in mpi['frames'])
+        assert all(0 < each['bytes_read'] < 0.4 * first['bytes_read'] for each in later), mpi['frames']
+
+
 def test_what_was_left_out_is_told_once(programs, tmp_path):
     grid = pieces.hexahedra(8)
     flat = vtk.vtkIdList()

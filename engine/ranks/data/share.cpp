@@ -1,8 +1,7 @@
 #include "ranks/data/share.h"
 
 #include "base/bytes_read.h"
-#include "grid/cell_places.h"
-#include "ranks/data/imaging_message.h"
+#include "ranks/data/described_block.h"
 #include "ranks/data/join_pieces.h"
 #include "ranks/data/warnings_of_all.h"
 
@@ -23,92 +22,6 @@ namespace
 // In the order of grid::AnyGrid.
 constexpr const char* kKinds[] = {"image", "rectilinear", "curvilinear", "unstructured"};
 constexpr std::size_t kUnstructured = 3;
-
-// The facts about a block that ranks know although they do not hold it.
-struct Described
-{
-	std::size_t kind = 0;
-	Box bounds;
-	Share::Counts counts; // counts for this block alone
-	std::size_t whole = 0;
-	grid::Block block; // without a grid
-};
-
-Share::Counts countsOf(const grid::Block& block)
-{
-	Share::Counts counts;
-	counts.linear_cells = cellsHere(block);
-	counts.linear_points = std::visit([](const auto& grid) { return grid.pointCount(); }, block.grid);
-	const auto* cells = std::get_if<grid::UnstructuredGrid>(&block.grid);
-	counts.cells = cells && !block.runs ? cells->sourceCellCount() : counts.linear_cells;
-	counts.points = cells ? cells->sourcePointCount() : counts.linear_points;
-	return counts;
-}
-
-void put(MessageWriter& to, const grid::Block& block, std::size_t whole)
-{
-	const Share::Counts counts = countsOf(block);
-	to.put(block.grid.index());
-	to.put(block.bounds);
-	for (const std::size_t count : {counts.cells, counts.points, counts.linear_cells, counts.linear_points, whole})
-		to.put(count);
-	to.put(block.name);
-	to.put(block.length_units);
-	putImaging(to, block.imaging);
-	to.put(block.arrays_left_out.size());
-	for (const std::string& name : block.arrays_left_out)
-		to.put(name);
-	to.put(block.fields.size());
-	for (const grid::Field& field : block.fields)
-	{
-		to.put(field.name);
-		to.put(field.units);
-		to.put(field.association);
-		to.put(field.components);
-		to.put(field.type);
-		to.put(field.categorical);
-	}
-}
-
-Described described(MessageReader& from)
-{
-	Described block;
-	block.kind = from.get<std::size_t>();
-	block.bounds = from.get<Box>();
-	for (std::size_t* count : {&block.counts.cells, &block.counts.points, &block.counts.linear_cells,
-	                           &block.counts.linear_points, &block.whole})
-		*count = from.get<std::size_t>();
-	block.block.name = from.getText();
-	block.block.length_units = from.getText();
-	block.block.imaging = getImaging(from);
-	for (auto left = from.get<std::size_t>(); left > 0; --left)
-		block.block.arrays_left_out.push_back(from.getText());
-	for (auto left = from.get<std::size_t>(); left > 0; --left)
-	{
-		grid::Field& field = block.block.fields.emplace_back();
-		field.name = from.getText();
-		field.units = from.getText();
-		field.association = from.get<grid::Association>();
-		field.components = from.get<int>();
-		field.type = from.get<grid::NumberType>();
-		field.categorical = from.get<bool>();
-	}
-	return block;
-}
-
-// A block without cells in place of one that another rank holds.
-grid::Block standIn(Described&& described)
-{
-	grid::Block block = std::move(described.block);
-	const grid::AnyGrid grids[] = {grid::UniformGrid(), grid::RectilinearGrid(), grid::CurvilinearGrid(),
-	                               grid::UnstructuredGrid()};
-	block.grid = grids[described.kind];
-	block.bounds = described.bounds;
-	// Not finishBlock(): it would name cells where hopping starts.
-	block.tree = std::make_shared<grid::LazyBlockTree>();
-	block.cell_places = std::make_shared<grid::LazyCellPlaces>();
-	return block;
-}
 
 // As grid::BlockSet::kind() says it of the blocks that one process would have.
 std::string kindOf(const std::vector<std::string>& kinds)
@@ -152,7 +65,7 @@ read::PartList listForAll(Team& team, const std::optional<read::PartList>& own)
 }
 
 // Adds a block to the counts of all. `last`: the block of one process that the block before belongs to.
-void count(const Described& block, const read::PartList& list, std::optional<std::size_t>& last,
+void count(const DescribedBlock& block, const read::PartList& list, std::optional<std::size_t>& last,
            std::vector<std::string>& kinds, Share& share)
 {
 	const read::PartList::Whole& whole = list.blocks[block.whole];
@@ -201,7 +114,7 @@ grid::BlockSet withOthers(Team& team, read::PartBlocks&& own, const read::PartLi
 			share.first_own = static_cast<std::uint32_t>(all.blocks.size());
 		for (std::size_t b = 0; b < blocks; ++b)
 		{
-			Described block = described(reader);
+			DescribedBlock block = described(reader);
 			count(block, list, last, kinds, share);
 			all.blocks.push_back(rank == team.rank() ? std::move(mine[b]) : standIn(std::move(block)));
 		}
@@ -386,6 +299,17 @@ Share::Counts countsOf(const Ranks& ranks, const grid::BlockSet& blocks)
 			counts.linear_points += block.whole->points - here.linear_points;
 		}
 	return counts;
+}
+
+bool hasTimeInRuns(const Ranks& ranks, const grid::BlockSet& blocks, std::size_t time)
+{
+	if (!ranks.team())
+		return grid::hasTimeInRuns(blocks, time);
+	grid::BlockSet own;
+	own.times = blocks.times;
+	for (std::size_t b = ranks.share().first_own; b < ranks.share().end_own; ++b)
+		own.blocks.push_back(blocks.blocks[b]);
+	return ranks.share().has_packs && !ranks.any(!grid::hasTimeInRuns(own, time));
 }
 
 void nameWholeBlocks(const Ranks& ranks, std::span<std::int32_t> blocks)

@@ -75,6 +75,10 @@ inline bool isHere(const Ranks& ranks, std::size_t block)
 	return !ranks.team() || ranks.share().isOwn(block);
 }
 
+/// Returns true if all ranks have the values at a time in the files of the blocks that they hold (grid::CellRuns). All
+/// ranks get the same.
+bool hasTimeInRuns(const Ranks& ranks, const grid::BlockSet& blocks, std::size_t time);
+
 /// Puts the number of the block that one process would have in the place of each number.
 void nameWholeBlocks(const Ranks& ranks, std::span<std::int32_t> blocks);
 
