@@ -245,6 +245,34 @@ def indexing_refuses(folder):
         assert not list(folder.glob('*.vpx'))
 
 
+def an_index_may_lie_in_the_cache(folder):
+    """Known by the path of its file, and behind one beside it."""
+    path, other = folder / 'mesh.vtu', folder / 'other' / 'mesh.vtu'
+    other.parent.mkdir()
+    plain(mixed_mesh(need('meshio'), need('numpy')), path)
+    shutil.copy(path, other)
+    cache, stats = {'XDG_CACHE_HOME': str(folder / 'cache')}, folder / 'stats.json'
+
+    def parts(file, **environment):
+        assert said(['slice', file, *CUTS[0], '--stats', stats], **environment) == (0, '')
+        return json.loads(stats.read_text())['parts']
+
+    assert said(['index', path, '--in-cache', '--part', '64'], **cache) == (0, '')
+    made = list((folder / 'cache' / 'volume-probes').iterdir())
+    assert len(made) == 1 and made[0].name.startswith('mesh.vtu-') and not (folder / 'mesh.vtu.vpx').exists(), made
+    assert parts(path, **cache) is not None and parts(path) is None and parts(other, **cache) is None
+    (folder / 'link').symlink_to(folder)
+    assert parts(folder / 'link' / 'mesh.vtu', **cache) == parts(path, **cache)
+    vprobe('index', path, '--part', '4096')
+    assert parts(path, **cache)['all'] == parts(path)['all'] and (folder / 'mesh.vtu.vpx').exists()
+    if os.geteuid() == 0:  # who may write everywhere
+        return
+    os.chmod(other.parent, 0o555)
+    assert said(['index', other], **cache) == (0, '')
+    os.chmod(other.parent, 0o755)
+    assert parts(other, **cache) is not None and not (other.parent / 'mesh.vtu.vpx').exists()
+
+
 def a_bad_order_is_told(folder):
     """A plane through rows of cells needs some pages of a file, and all if the cells are in no order."""
     meshio, numpy = need('meshio'), need('numpy')
@@ -261,4 +289,5 @@ def a_bad_order_is_told(folder):
 
 
 CASES = [indexed_files_are_cut_as_without, indexed_files_are_whole_where_that_is_asked, pages_are_read,
-         an_index_that_does_not_fit_is_told, damaged_indices_are_refused, indexing_refuses, a_bad_order_is_told]
+         an_index_that_does_not_fit_is_told, damaged_indices_are_refused, indexing_refuses, an_index_may_lie_in_the_cache,
+         a_bad_order_is_told]

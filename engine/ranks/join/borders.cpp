@@ -168,13 +168,12 @@ void joinAtSamePlace(Team& team, const std::vector<Box>& boxes, std::vector<RimV
 	    {
 		    joinAmong(
 		        vertices, [](const RimVertex& a, const RimVertex& b) { return a.place == b.place; },
-		        // Pieces of one lattice share points, also where only edges of their cells meet.
+		        // Pieces of one lattice and shares of one pack share points, also where only edges of their cells meet.
 		        [](const RimVertex& a, const RimVertex& b)
 		        {
 			        if (!a.on_edge || !b.on_edge)
 				        return a.on_edge == b.on_edge;
-			        const bool of_one_lattice = a.of_lattice && b.of_lattice && a.whole == b.whole;
-			        return (of_one_lattice || a.isAcross(b)) && a.isOnSameEdge(b);
+			        return a.hasSamePoints(b) || (a.isAcross(b) && a.isOnSameEdge(b));
 		        },
 		        found);
 	    });
@@ -221,7 +220,9 @@ void joinNear(Team& team, const std::vector<Box>& boxes, std::vector<RimVertex>&
 			        return a.place != b.place && glm::length(a.place - b.place) <= std::min(a.near, b.near) &&
 			               a.isOnSameEdge(b) && binAt(0.5 * (a.place + b.place), side).first == bin;
 		        },
-		        [](const RimVertex& a, const RimVertex& b) { return a.on_edge && b.on_edge; }, found);
+		        [](const RimVertex& a, const RimVertex& b)
+		        { return a.on_edge && b.on_edge && !(a.of_pack && b.of_pack); },
+		        found);
 	    });
 }
 

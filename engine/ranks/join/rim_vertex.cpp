@@ -43,6 +43,12 @@ bool RimVertex::isOneWith(const RimVertex& other) const
 	return mesh::isOnePlace(place, other.place, edge_length) && hasDataOf(other);
 }
 
+bool RimVertex::hasSamePoints(const RimVertex& other) const
+{
+	const bool may_have = (of_lattice && other.of_lattice) || (of_pack && other.of_pack && points == other.points);
+	return may_have && whole == other.whole && isOnSameEdge(other);
+}
+
 bool RimVertex::hasDataOf(const RimVertex& other) const
 {
 	const auto areSame = [](const auto& a, const auto& b)
@@ -127,6 +133,8 @@ RimVertex vertexOn(const grid::BlockSet& blocks, std::span<const std::uint32_t> 
 	RimVertex vertex;
 	vertex.whole = whole[at.block];
 	vertex.of_lattice = !std::holds_alternative<grid::UnstructuredGrid>(block.grid);
+	vertex.of_pack = block.runs && block.runs->isShare();
+	vertex.points = {at.lower, at.higher};
 	vertex.near = nearOf(block, at);
 	vertex.ends = endsOf(block, at);
 	vertex.edge_length = lengthOf(block, at);
@@ -154,6 +162,8 @@ void put(MessageWriter& to, const RimVertex& vertex)
 	to.put(vertex.component);
 	to.put(vertex.whole);
 	to.put(vertex.of_lattice);
+	to.put(vertex.of_pack);
+	to.put(vertex.points);
 	to.put(vertex.on_edge);
 	to.put(vertex.ends);
 	to.put(vertex.edge_length);
@@ -176,6 +186,8 @@ RimVertex takeVertex(MessageReader& from, int rank)
 	vertex.component = from.get<std::uint32_t>();
 	vertex.whole = from.get<std::uint32_t>();
 	vertex.of_lattice = from.get<bool>();
+	vertex.of_pack = from.get<bool>();
+	vertex.points = from.get<std::array<PointId, 2>>();
 	vertex.on_edge = from.get<bool>();
 	vertex.ends = from.get<std::array<Vec3, 2>>();
 	vertex.edge_length = from.get<double>();

@@ -49,8 +49,12 @@ struct RimVertex
 	Vec3 place{};
 	double near = 0.0; // largest distance between two places that are meant to be one
 	std::uint32_t component = 0;
-	std::uint32_t whole = 0;      // the block that one process would have
-	bool of_lattice = false;      // the block is a lattice, whose pieces share points
+	std::uint32_t whole = 0; // the block that one process would have
+	bool of_lattice = false; // the block is a lattice, whose pieces share points
+	bool of_pack = false;    // the block is a share of a pack; these share points, too
+	// If so, the ends of its edge as the pack numbers them. One process has one vertex of an edge. Others at a grid
+	// point are joined by faces alone.
+	std::array<PointId, 2> points{};
 	bool on_edge = true;          // the vertex lies on a cell's edge; else on the rim of a window
 	std::array<Vec3, 2> ends{};   // ends of its edge; the grid point if it lies on one
 	double edge_length = 0.0;     // its edge is that long, also if it lies on a grid point
@@ -58,8 +62,9 @@ struct RimVertex
 	std::vector<std::pair<std::string, std::vector<ValueAt>>> arrays{}; // by name
 
 	bool isInMesh() const { return vertex != kNone; }
-	bool isAcross(const RimVertex& other) const;     // true if a seam lies between the two
-	bool isOnSameEdge(const RimVertex& other) const; // but for rounding
+	bool isAcross(const RimVertex& other) const;      // true if a seam lies between the two
+	bool isOnSameEdge(const RimVertex& other) const;  // but for rounding
+	bool hasSamePoints(const RimVertex& other) const; // within one lattice or one pack
 	bool hasDataOf(const RimVertex& other) const;
 	/// Returns true if a join changes neither the place nor a value, as in one process (mesh/join_vertices.h).
 	bool isOneWith(const RimVertex& other) const;

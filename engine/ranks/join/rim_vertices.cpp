@@ -247,6 +247,7 @@ std::vector<RimVertex> rimVertices(const grid::BlockSet& blocks, std::span<const
 			const std::uint32_t block = mesh.rimShares(v)[0].block;
 			vertex.whole = whole[block];
 			vertex.of_lattice = !std::holds_alternative<grid::UnstructuredGrid>(blocks.blocks[block].grid);
+			vertex.of_pack = blocks.blocks[block].runs && blocks.blocks[block].runs->isShare();
 		}
 		vertex.on_edge = on_edge;
 		vertex.vertex = v;

@@ -1,5 +1,6 @@
 #include "viewer/document/user_files.h"
 
+#include "base/user_folder.h"
 #include "write/atomic_file.h"
 
 #include <fmt/format.h>
@@ -27,28 +28,9 @@ namespace fs = std::filesystem;
 constexpr const char* kRecovery = "recovery-";
 constexpr const char* kEnding = ".json";
 
-// variable: names one of the XDG base directories. usual: its place below the home folder if the variable is not set.
-fs::path folder(const char* variable, const char* usual)
-{
-	const char* set = std::getenv(variable);
-	const char* home = std::getenv("HOME");
-	if (set && *set == '/')
-		return fs::path(set) / "volume-probes";
-	return home && *home == '/' ? fs::path(home) / usual / "volume-probes" : fs::path();
-}
-
-// Creates the folder if it does not exist. Returns an empty path if that fails.
-fs::path madeFolder(const fs::path& wanted)
-{
-	std::error_code failed;
-	if (!wanted.empty())
-		fs::create_directories(wanted, failed);
-	return failed ? fs::path() : wanted;
-}
-
 fs::path settingsFile()
 {
-	return folder("XDG_CONFIG_HOME", ".config") / "view.json";
+	return userFolder("XDG_CONFIG_HOME", ".config") / "view.json";
 }
 
 // Returns the process to which a recovery file belongs. Returns nothing for other files.
@@ -111,7 +93,7 @@ void remember(Settings& settings, const std::string& input)
 
 std::string recoveryFile()
 {
-	const fs::path place = madeFolder(folder("XDG_STATE_HOME", ".local/state"));
+	const fs::path place = madeFolder(userFolder("XDG_STATE_HOME", ".local/state"));
 	return place.empty() ? std::string() : (place / fmt::format("{}{}{}", kRecovery, getpid(), kEnding)).string();
 }
 
@@ -119,7 +101,8 @@ std::vector<std::string> leftRecoveryFiles()
 {
 	std::error_code failed;
 	std::vector<fs::directory_entry> left;
-	for (const fs::directory_entry& entry : fs::directory_iterator(folder("XDG_STATE_HOME", ".local/state"), failed))
+	for (const fs::directory_entry& entry :
+	     fs::directory_iterator(userFolder("XDG_STATE_HOME", ".local/state"), failed))
 		if (const auto process = processOf(entry.path()); process && kill(*process, 0) != 0 && errno == ESRCH)
 			left.push_back(entry);
 	std::ranges::sort(left, std::greater(), [&](const auto& entry) { return entry.last_write_time(failed); });
