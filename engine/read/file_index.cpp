@@ -71,7 +71,9 @@ std::string indexOf(const std::string& file, const ReadOptions& options)
 	const auto isThere = [&of_index](const std::string& index)
 	{ return !index.empty() && stat(index.c_str(), &of_index) == 0 && S_ISREG(of_index.st_mode); };
 	std::string index = indexBeside(file);
-	if (!isThere(index) && !isThere(index = indexInCache(file)))
+	if (!isThere(index))
+		index = indexInCache(file);
+	if (!isThere(index))
 		return {};
 	if (stat(file.c_str(), &of_file) != 0)
 		return {};

@@ -77,8 +77,8 @@ namespace vp::read
 // the file an "offset" and "facts", and maybe "ranges", the offset of its RunRanges; "time" is the index of the one
 // that was asked for; and "pack" has no "numbers". "source" is an empty list. If the file is the index of another one,
 // it has the five numbers of read::SourceStamp, and the offsets of arrays that are "in_source" are places in that other
-// file, where numbers may have the other order of bytes ("swaps"). Where the pack came apart, "own_runs" has the number
-// that the first run has which was asked for, and that behind the last. Other files are read as if PARTS was without
+// file, where numbers may have the other order of bytes ("swaps"). If the pack came apart, "own_runs" has two
+// numbers: the first run that was asked for, and the one behind the last. Other files are read as if PARTS had no
 // "places".
 //
 // Started as "vprobe-read copies", it reads nothing and makes copies of itself, which are as if started with the

@@ -46,8 +46,8 @@ struct SheetSeeds
 	// Per block: boundary faces that lie in the plane and whose cell is not cut, so that nothing else shows them. Of
 	// faces that coincide at a seam one at most, and none where a cell on either side is cut.
 	std::vector<std::vector<grid::BoundaryIndex::Face>> faces_in_plane;
-	// Per block of which other processes have runs (cell_runs.h), else empty: likewise faces whose cell is cut and
-	// shows them. One of another process may lie on each.
+	// The same for blocks that several processes share (grid::CellRuns), else empty: boundary faces whose cell is cut,
+	// and so shows them. A face of another process may lie on each.
 	std::vector<std::vector<grid::BoundaryIndex::Face>> faces_of_cut_cells;
 	std::size_t count = 0;          // number of seeds in all blocks
 	std::size_t hops = 0;           // number of cells that fence hops passed

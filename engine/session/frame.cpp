@@ -2,6 +2,8 @@
 
 #include "base/frame_scope.h"
 #include "parts/stoppable.h"
+#include "ranks/data/share.h"
+#include "ranks/join/hanging_borders.h"
 
 #include <algorithm>
 
@@ -23,7 +25,8 @@ bool keepsCells(const view::ResolvedView& view, const Frame& last)
 	return !last.slice.refined && !view.threshold && !cutsByValue(view.probe);
 }
 
-// Builds the polygons of all sheets. Sheets that did not move since the last frame keep theirs, and their figures.
+// Builds the polygons of all sheets. Sheets that did not move since the last frame keep theirs, and their figures. Ends
+// with a sheet that hangs, if there is one.
 Status addMeshes(const Session& session, const Frame* last, Frame& frame, std::vector<bool>& kept)
 {
 	for (std::size_t s = 0; s < frame.slice.sheets.size(); ++s)
@@ -38,6 +41,8 @@ Status addMeshes(const Session& session, const Frame* last, Frame& frame, std::v
 		if (!stats)
 			return stats.error();
 		frame.sheets.push_back(std::move(*stats));
+		if (frame.sheets.back().hangs())
+			break;
 	}
 	return Nothing{};
 }
@@ -85,6 +90,14 @@ try
 			return told.error();
 		if (Status added = addMeshes(*this, last, *frame, kept); !added)
 			return added.error();
+	}
+	if (!frame->sheets.empty() && frame->sheets.back().hangs())
+	{
+		if (!ranks::shareAPack(ranks_))
+			return ranks::sizesDiffer();
+		if (Status read = readUndivided(); !read)
+			return read.error();
+		return this->frame(request, stop);
 	}
 	addFigures(*this, request.wants.figures, kept, *frame);
 	if (stop.stop_requested())

@@ -213,6 +213,7 @@ private:
 	Result<grid::BlockSet> readBlocks(const OpenOptions& options);
 	Result<grid::BlockSet> readInputs(const read::ReadOptions& options);
 	Status readAnew(read::ReadOptions at);
+	Status readUndivided();
 	Status resolve(view::ViewSpec spec);
 	Status prepareLaunch();
 	void lookForCategories();

@@ -1,7 +1,6 @@
 #include "session/sheet_stats.h"
 
 #include "mesh/mesh_values.h"
-#include "ranks/join/hanging_borders.h"
 #include "ranks/join/whole_cells.h"
 #include "session/sheet_traces.h"
 
@@ -23,8 +22,8 @@ Result<SheetStats> sheetMesh(const Session& session, const cut::Cut& slice, std:
 		if (stats.crinkle)
 			stats.crinkle_borders = ranks::joinWholeCells(session.ranks(), blocks, *stats.crinkle);
 	}
-	if (stats.borders.hangs || stats.crinkle_borders.hangs)
-		return ranks::sizesDiffer();
+	if (stats.hangs())
+		return stats;
 	Result<SharedTraces> traces = traceSheet(session, slice, sheet, stats.mesh);
 	if (!traces)
 		return traces.error();

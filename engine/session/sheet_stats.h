@@ -34,6 +34,9 @@ struct SheetStats
 	std::optional<vectors::Flux> flux{};              // flux of vectors through the sheet
 	ranks::Borders borders{};                         // what the mesh shares with those of other ranks
 	ranks::Borders crinkle_borders{};                 // the same of the whole cells
+
+	// Cells of different sizes meet between ranks, and nothing else here holds.
+	bool hangs() const { return borders.hangs || crinkle_borders.hangs; }
 };
 
 // One sheet in two steps. sheetMesh() builds the polygons (section "emit") and launches particles. measureSheet()

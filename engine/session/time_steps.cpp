@@ -1,5 +1,6 @@
 #include "session/time_steps.h"
 
+#include "base/messages.h"
 #include "ranks/data/share.h"
 #include "session/session.h"
 
@@ -92,6 +93,17 @@ Status Session::readAnew(read::ReadOptions at)
 	if (Status made = makeCutter(); !made)
 		return made;
 	return is_complete && !ranks_.buildsWhileReading() ? buildNeighbors() : Nothing{};
+}
+
+Status Session::readUndivided()
+{
+	if (ranks_.isFirst())
+		warn("cells of different sizes meet between two processes, so one of them reads all of the pack; vprobe reads "
+		     "less");
+	if (Status read = readAnew(readOptions(spec_.input.time)); !read)
+		return read;
+	takeValuesAt(spec_.input.time);
+	return Nothing{};
 }
 
 } // namespace vp::session

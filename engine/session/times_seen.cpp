@@ -83,8 +83,8 @@ Result<TimesSeen> lookAtTimes(const Session& session, std::span<const std::size_
 		for (TimesSeen::Array& array : seen.arrays)
 		{
 			array.span.include(spanOf(blocks, ranks, array.field));
-			if (is_in_runs &&
-			    ranks.any(!knowsLeastPositive(blocks))) // then logarithms are taken of what was read as a whole
+			// Logarithms of packs that do not tell it are taken of what was read as a whole.
+			if (is_in_runs && ranks.any(!knowsLeastPositive(blocks)))
 				continue;
 			const double least = leastPositive(blocks, ranks, array.field);
 			if (least > 0.0 && !(array.least_positive > 0.0 && array.least_positive < least))

@@ -56,7 +56,8 @@ def honeycomb(path, time=0.0, size=8):
 
 def packed(folder):
     path, pack = honeycomb(folder / 'comb.vtu'), folder / 'comb.vtkhdf'
-    vprobe('pack', path, '-o', pack, '--part', '64')
+    done = subprocess.run([VPROBE, 'pack', path, '-o', pack, '--part', '64'], capture_output=True, encoding='utf-8')
+    assert done.returncode == 0 and 'VTKHDF 2.5' in done.stderr and done.stderr.count('\n') == 1, done
     return path, pack
 
 

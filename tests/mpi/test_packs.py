@@ -114,6 +114,30 @@ def test_planes_through_points_and_edges(same, packs):
             same(4, 'slice', packs['straight'], '--normal', *normal, '--origin', *origin)
 
 
+def test_one_rank_reads_all_where_quads_meet_triangles(same, programs, tmp_path):
+    """Tetrahedra above hexahedra. One process adds vertices of the ones to sides of the others, and ranks cannot."""
+    whole = pieces.hexahedra(8, twist=0.0)
+    heights = [sum(whole.GetCell(c).GetBounds()[4:6]) for c in range(whole.GetNumberOfCells())]
+    cut, grid = vtk.vtkDataSetTriangleFilter(), vtk.vtkAppendFilter()
+    cut.SetInputData(pieces.part_of(whole, [c for c, z in enumerate(heights) if z > 0]))
+    cut.Update()
+    grid.MergePointsOn()
+    for part in (pieces.part_of(whole, [c for c, z in enumerate(heights) if z < 0]), cut.GetOutput()):
+        grid.AddInputData(part)
+    grid.Update()
+    pieces.write(vtk.vtkXMLUnstructuredGridWriter(), grid.GetOutput(), tmp_path / 'grid.vtu')
+    pack = tmp_path / 'grid.vtkhdf'
+    programs.plain('pack', tmp_path / 'grid.vtu', '-o', pack, '--part', 64)
+    for ranks in (2, 5, 7):
+        _, mpi = same(ranks, 'slice', pack, '--normal', 0.6, -0.3, 0.05 * ranks)
+        assert [rank['cells'] > 0 for rank in mpi['ranks']].count(True) == 1, mpi['ranks']
+    same(2, 'sweep', pack, *OBLIQUE, '--frames', 3)
+    told = programs.mpi(2, 'slice', pack, *OBLIQUE).stderr
+    assert [line for line in own_lines(told) if 'one of them reads all of the pack' in line], told
+    _, mpi = same(2, 'slice', pack, '--normal', 0, 0, 1, '--origin', 0, 0, -0.6)  # among hexahedra alone
+    assert all(rank['cells'] > 0 for rank in mpi['ranks']), mpi['ranks']
+
+
 def test_polygons(programs, packs, tmp_path):
     corners = []
     for start, count, name in ((programs.plain, (), 'plain.vtp'), (programs.mpi, (3,), 'mpi.vtp')):

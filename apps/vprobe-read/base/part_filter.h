@@ -41,7 +41,8 @@ public:
 	// Begins the next part, which has about so many cells. Returns false if it is not asked for. A part within a part
 	// belongs to the outer one.
 	bool begin(std::size_t cells);
-	// Begins the next lattice that is alone in its file, with so many layers of so many cells each. Its slabs are the
+	// Begins the next lattice that is alone in its file, with so many layers of so many cells each, or a pack, whose
+	// runs of cells count as layers. Its slabs are the
 	// parts of one block with these facts (see beginBlock()). Returns the layers that are asked for, which are
 	// adjacent, or nothing.
 	std::optional<CellLayers> beginLattice(nlohmann::json facts, std::size_t layers, std::size_t cells_of_layer);

@@ -310,6 +310,11 @@ void writeKind(hid_t group, int major, int minor, const char* type)
 	writeText(group, "Type", type);
 }
 
+bool hasPolyhedra(const KeptBlock& block)
+{
+	return PackFaces(vtkUnstructuredGrid::SafeDownCast(block.data)).hasPolyhedra();
+}
+
 // Several blocks become a collection: a group for each, and a tree of links that names them.
 std::deque<PackWriter> writersOf(const std::vector<KeptBlock>& blocks, const TimesToPack& times, hid_t file,
                                  const Request& request, const IndexedFile* indexed)
@@ -317,18 +322,15 @@ std::deque<PackWriter> writersOf(const std::vector<KeptBlock>& blocks, const Tim
 	Handle root = groupInOrder(file, "VTKHDF");
 	Handle own = groupInOrder(file, "vprobe");
 	std::deque<PackWriter> writers;
+	const bool has_polyhedra = std::ranges::any_of(blocks, hasPolyhedra);
 	if (blocks.size() == 1)
 	{
-		auto* grid = vtkUnstructuredGrid::SafeDownCast(blocks[0].data);
-		const bool has_polyhedra = PackFaces(grid).hasPolyhedra();
 		writeKind(root, has_polyhedra || times.times.size() > 1 ? 2 : 1, has_polyhedra ? 5 : 0, "UnstructuredGrid");
-		writers.emplace_back(grid, times, request.cells_of_part, request.threads, std::move(root), std::move(own),
-		                     indexed);
+		writers.emplace_back(vtkUnstructuredGrid::SafeDownCast(blocks[0].data), times, request.cells_of_part,
+		                     request.threads, std::move(root), std::move(own), indexed);
 		return writers;
 	}
-	const auto hasPolyhedra = [](const KeptBlock& block)
-	{ return PackFaces(vtkUnstructuredGrid::SafeDownCast(block.data)).hasPolyhedra(); };
-	const int minor = std::ranges::any_of(blocks, hasPolyhedra) ? 5 : 1;
+	const int minor = has_polyhedra ? 5 : 1;
 	writeKind(root, 2, minor, "PartitionedDataSetCollection");
 	const Handle tree = groupInOrder(root, "Assembly");
 	for (const KeptBlock& block : blocks)
@@ -371,6 +373,10 @@ std::vector<std::string> writePack(const std::vector<KeptBlock>& blocks, const T
 			writer.writeFacts(request.said);
 		if (indexed)
 			lines = writers[0].linesAboutFile();
+		else if (std::ranges::any_of(blocks, hasPolyhedra))
+			lines.emplace_back(
+			    "has polyhedra, so its pack is VTKHDF 2.5; VTK 9.1 crashes on it, and other programs that "
+			    "read earlier versions may, too");
 	}
 	if (H5Fflush(file, H5F_SCOPE_LOCAL) < 0)
 		throw NoRoom(kNoRoom);

@@ -62,6 +62,12 @@ Result<grid::BlockSet> readInputs(Ranks& ranks, const std::vector<std::string>& 
 /// Returns the counts of the data set, whoever holds its blocks.
 Share::Counts countsOf(const Ranks& ranks, const grid::BlockSet& blocks);
 
+/// Returns true if several processes share a pack by its runs.
+inline bool shareAPack(const Ranks& ranks)
+{
+	return ranks.team() && ranks.share().has_packs;
+}
+
 /// Returns how many of a block's cells this process has. Those of a pack may be in the file.
 inline std::size_t cellsHere(const grid::Block& block)
 {

@@ -368,7 +368,7 @@ Result<cut::Cut> carryOut(const Ranks& ranks, cut::Cutter& cutter, cut::CutReque
 	Result<cut::Cut> cut = goesFromRankToRank(request)
 	                           ? cutFromRankToRank(*ranks.team(), ranks.share().whole, cutter, std::move(request), stop)
 	                           : cutter.cut(request, stop);
-	if (cut && ranks.share().has_packs && !stop.stop_requested())
+	if (cut && shareAPack(ranks) && !stop.stop_requested())
 		dropFacesBetweenShares(*ranks.team(), cutter.blocks(), ranks.share().whole, *cut);
 	if (cut && !spots_may_move && !stop.stop_requested())
 		agreeOnHotSpots(*ranks.team(), *cut);
